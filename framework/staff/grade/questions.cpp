@@ -331,86 +331,110 @@ private:
         return question;
     }
 
-    /// The changed lines of one task.
+    /// A view of a check, with its probe or without.
+    struct ChangeView {
+        const CheckInfo* check = nullptr;
+        Shot shot = {};
+    };
+    /// Changed lines of one task, and their pictures in the view that shows most of them.
     struct Changed {
         const TaskInfo* task;
         std::vector<Mutant> mutants;
-        std::vector<const CheckInfo*> views;  ///< of the task's checks, without probes
-        std::vector<Shot> shots;              ///< by view
-        /// By view: the student's own picture, then the mutants'. Empty where nothing is drawn.
-        std::vector<std::vector<Image>> pictures = {};
-        size_t view = 0;                    ///< the one with the most pictures that differ
-        std::vector<size_t> distinct = {};  ///< the pictures that differ in this view
+        ChangeView view = {};
+        /// The student's own picture, then the mutants'. Empty where nothing is drawn.
+        std::vector<Image> pictures = {};
+        std::vector<size_t> distinct = {};  ///< the pictures that differ from each other
+        bool is_enough() const { return distinct.size() >= 5; }
     };
 
     void ask_for_changes() {
         std::vector<Changed> tasks;
-        for (const TaskInfo* task : asked_)
-            if (auto changed = changes_of(*task)) tasks.push_back(*std::move(changed));
+        for (const TaskInfo* task : asked_) tasks.push_back({task, sampled_mutants(*task)});
         std::mt19937 dice = dice_of(seed_ + "|tasks");
         shuffle(tasks, dice);
         tasks.resize(std::min(tasks.size(), count_));
-        draw_changes(tasks);
+        draw_changes(tasks, false);
+        draw_changes(tasks, true);  // probes are harder to read than pictures
         // Each task has at most one question of each kind, and their changes differ if there are enough.
         for (const Changed& one : tasks) {
             const std::vector<size_t>& distinct = one.distinct;
             if (distinct.size() >= 4) add_picture(one, {distinct.begin(), distinct.begin() + 4});
-            if (distinct.size() >= 5) add_line(one, {distinct.end() - 4, distinct.end()});
+            if (one.is_enough()) add_line(one, {distinct.end() - 4, distinct.end()});
         }
     }
 
-    /// Returns a seeded sample of a task's mutants, and the views of its checks that draw something.
-    std::optional<Changed> changes_of(const TaskInfo& task) const {
-        Changed changed{.task = &task, .mutants = {}, .views = {}, .shots = {}};
-        std::set<std::string> known;
-        for (const size_t i : usable_) {
-            const CheckInfo& check = manifest_.checks[i];
-            Shot shot = check.shot;
-            shot.probe = {};
-            shot.size = glm::min(shot.size, sheet_size);
-            if (check.task != task.id || changed.shots.size() == views_of_a_task ||
-                !known.insert(view_text(shot)).second)
-                continue;
-            changed.views.push_back(&check);
-            changed.shots.push_back(shot);
-        }
-        if (changed.shots.empty()) return {};
+    std::vector<Mutant> sampled_mutants(const TaskInfo& task) const {
         const std::string& text = files_.at(task.file);
         std::vector<Mutant> all = line_mutants_of(text);
         std::erase_if(all, [&](const Mutant& one) { return check::task_at_line(text, size_t(one.line)) != task.id; });
         std::mt19937 dice = dice_of(seed_ + "|" + task.id);
         shuffle(all, dice);
         std::set<int> lines;
-        std::vector<Mutant> others;
+        std::vector<Mutant> sample, others;
         for (Mutant& one : all)  // first one of each line
-            (lines.insert(one.line).second ? changed.mutants : others).push_back(std::move(one));
-        std::move(others.begin(), others.end(), std::back_inserter(changed.mutants));
-        changed.mutants.resize(std::min(changed.mutants.size(), mutants_drawn));
-        changed.pictures.assign(changed.shots.size(), std::vector<Image>(changed.mutants.size() + 1));
-        return changed;
+            (lines.insert(one.line).second ? sample : others).push_back(std::move(one));
+        std::move(others.begin(), others.end(), std::back_inserter(sample));
+        sample.resize(std::min(sample.size(), mutants_drawn));
+        return sample;
     }
 
-    void draw_changes(std::vector<Changed>& tasks) const {
-        const AttemptLimits limits{.cpu = std::max(10.0, 10 * maker_.views_.solution_cpu())};
-        std::vector<std::pair<Changed*, size_t>> places;
-        for (Changed& one : tasks)
-            for (size_t i = 0; i <= one.mutants.size(); ++i) places.emplace_back(&one, i);
+    /// Returns different views of a task's checks that draw something.
+    std::vector<ChangeView> change_views(const TaskInfo& task, bool with_probes) const {
+        std::vector<ChangeView> views;
+        std::set<std::string> known;
+        for (const size_t i : usable_) {
+            const CheckInfo& check = manifest_.checks[i];
+            Shot shot = check.shot;
+            if (!with_probes) shot.probe = {};
+            shot.size = glm::min(shot.size, sheet_size);
+            if (check.task == task.id && bool(shot.probe) == with_probes && views.size() < views_of_a_task &&
+                known.insert(shot.probe.name + view_text(shot)).second)
+                views.push_back({&check, shot});
+        }
+        return views;
+    }
+
+    /// Draws the changes of tasks that have not enough pictures yet, and takes the view that shows more of them.
+    void draw_changes(std::vector<Changed>& tasks, bool with_probes) const {
+        struct Place {
+            size_t task, mutant;  ///< mutant 0 is the student's own file
+        };
+        std::vector<std::vector<ChangeView>> views(tasks.size());
+        std::vector<std::vector<std::vector<Image>>> drawn(tasks.size());  // by task, view and mutant
+        std::vector<Place> places;
+        for (size_t i = 0; i < tasks.size(); ++i) {
+            if (!tasks[i].is_enough()) views[i] = change_views(*tasks[i].task, with_probes);
+            drawn[i].assign(views[i].size(), std::vector<Image>(tasks[i].mutants.size() + 1));
+            for (size_t mutant = 0; !views[i].empty() && mutant <= tasks[i].mutants.size(); ++mutant)
+                places.push_back({i, mutant});
+        }
         parallel_each(places.size(), unsigned(jobs_), [&](size_t i) {
-            const auto [task, place] = places[i];
-            CourseFiles files = files_;
-            if (place > 0) files[task->task->file] = task->mutants[place - 1].text;
-            const Attempt drawn =
-                attempt(maker_.stage_, maker_.lab_, files, task->shots, maker_.setup_.renderer, limits);
-            for (size_t view = 0; view < task->shots.size(); ++view)
-                if (const auto& image = drawn.shots[view].image; image && !is_one_color(*image))
-                    task->pictures[view][place] = visualize_picture(*image);
+            const auto [task, mutant] = places[i];
+            draw_change(tasks[task], views[task], mutant, drawn[task]);
         });
-        for (Changed& one : tasks)
-            for (size_t view = 0; view < one.shots.size(); ++view) {
-                if (one.pictures[view].front().values.empty()) continue;
-                const std::vector<size_t> distinct = distinct_pictures(one.pictures[view], 8);
-                if (distinct.size() > one.distinct.size()) one.distinct = distinct, one.view = view;
+        for (size_t i = 0; i < tasks.size(); ++i)
+            for (size_t view = 0; view < views[i].size(); ++view) {
+                if (drawn[i][view].front().values.empty()) continue;
+                std::vector<size_t> distinct = distinct_pictures(drawn[i][view], 8);
+                if (distinct.size() <= tasks[i].distinct.size()) continue;
+                tasks[i].distinct = std::move(distinct);
+                tasks[i].view = views[i][view];
+                tasks[i].pictures = std::move(drawn[i][view]);
             }
+    }
+
+    /// Draws all views of one changed file into `pictures`, by view and mutant.
+    void draw_change(const Changed& of, const std::vector<ChangeView>& views, size_t mutant,
+                     std::vector<std::vector<Image>>& pictures) const {
+        const AttemptLimits limits{.cpu = std::max(10.0, 10 * maker_.views_.solution_cpu())};
+        std::vector<Shot> shots;
+        for (const ChangeView& view : views) shots.push_back(view.shot);
+        CourseFiles files = files_;
+        if (mutant > 0) files[of.task->file] = of.mutants[mutant - 1].text;
+        const Attempt drawn = attempt(maker_.stage_, maker_.lab_, files, shots, maker_.setup_.renderer, limits);
+        for (size_t view = 0; view < views.size(); ++view)
+            if (const auto& image = drawn.shots[view].image; image && !is_one_color(*image))
+                pictures[view][mutant] = as_seen(*image, probe_of(shots[view]));
     }
 
     LineChange change_of(const Changed& of, size_t picture) const {
@@ -427,13 +451,14 @@ private:
 
     /// `choices`: the student's own picture, and those of three changes; the question is about the second.
     void add_picture(const Changed& of, std::vector<size_t> choices) {
-        Question question = begun(QuestionKind::picture, *of.task, *of.views[of.view]);
+        Question question = begun(QuestionKind::picture, *of.task, *of.view.check);
+        question.probe = of.view.shot.probe.name;
         const size_t right = choices[1];
         question.changes = {change_of(of, right)};
         std::mt19937 dice = dice_for(of, "picture");
         shuffle(choices, dice);
         for (size_t i = 0; i < choices.size(); ++i) {
-            question.pictures.push_back(of.pictures[of.view][choices[i]]);
+            question.pictures.push_back(of.pictures[choices[i]]);
             if (choices[i] == right) question.answer = letter(i);
         }
         result_.questions.push_back(std::move(question));
@@ -441,9 +466,10 @@ private:
 
     /// `choices`: the pictures of four changes; the question shows the last.
     void add_line(const Changed& of, std::vector<size_t> choices) {
-        Question question = begun(QuestionKind::line, *of.task, *of.views[of.view]);
+        Question question = begun(QuestionKind::line, *of.task, *of.view.check);
+        question.probe = of.view.shot.probe.name;
         const size_t right = choices.back();
-        question.pictures = {of.pictures[of.view].front(), of.pictures[of.view][right]};
+        question.pictures = {of.pictures.front(), of.pictures[right]};
         std::mt19937 dice = dice_for(of, "line");
         shuffle(choices, dice);
         for (size_t i = 0; i < choices.size(); ++i) {

@@ -34,9 +34,9 @@ struct Question {
     std::string view;             ///< the name of the check whose view it is
     /// 8-bit: the student's own picture; then, for `line`, the changed one; for `picture`, the four choices alone.
     std::vector<Image> pictures = {};
+    std::string probe = {};  ///< the quantity that the pictures show, if it is a probe's
     // A value:
     glm::ivec2 pixel{0};
-    std::string probe = {};  ///< the quantity that the picture shows, if it is a probe's
     check::LoneCall call = {};
     double margin = 0;          ///< how far an answer in numbers may be off
     bool mark_is_lost = false;  ///< the check fails, and this pixel is wrong: the question asks for the reason, too

@@ -51,13 +51,13 @@ Fields question_fields(const Question& question, size_t number) {
                     {"call", call_text(question.call)},
                     {"column", question.pixel.x},
                     {"row", question.pixel.y},
-                    {"probe", question.probe},
                     {"arguments", rows(question.call.arguments)},
                     {"mark_is_lost", question.mark_is_lost}};
     return {{"number", number},
             {"task", question.task},
             {"file", question.file},
             {"view", question.view},
+            {"probe", question.probe},
             {"value", is_value ? Value(std::move(value)) : Value()},
             {"which_picture", question.kind == QuestionKind::picture},
             {"which_line", question.kind == QuestionKind::line},
@@ -154,6 +154,7 @@ std::string questions_json(const std::vector<StudentQuestions>& students, const 
                         {"task", question.task},
                         {"file", question.file},
                         {"view", question.view}};
+            if (!question.probe.empty()) one["probe"] = question.probe;
             if (question.kind == QuestionKind::value) {
                 one["pixel"] = {question.pixel.x, question.pixel.y};
                 one["function"] = question.call.name;

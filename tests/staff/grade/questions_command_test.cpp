@@ -11,6 +11,7 @@
 #include "framework/core/context/context.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
+#include "framework/core/image/visualize.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/registry.h"
 #include "framework/staff/grade/overlay.h"
@@ -169,9 +170,10 @@ TEST(QuestionsCommand, EachLetterIsOfThePictureThatTheChangedLineDraws) {
         for (const std::string& line : lines) text += line + "\n";
         const CourseOverlay overlay({{parallax, text}});
         Shot shot = manifest.check(question["view"]).shot;
-        shot.probe = {};
+        shot.probe.name = question.value("probe", "");
         shot.size = {like.width, like.height};
-        return draw_shot(*make_lab(lab, shot), shot);
+        const Image image = draw_shot(*make_lab(lab, shot), shot);
+        return shot.probe ? visualize_probe(image, manifest.probe(shot.probe.name).colors()) : image;
     };
     const auto is_same = [](const Image& a, const Image& b) {
         return double(difference(a, b, 2.5 / 255).pixels_over) < 0.002 * double(a.pixel_count());
