@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "framework/core/base/error.h"
@@ -24,8 +26,9 @@ using nlohmann::json;
 
 constexpr size_t longest_error = 4000;
 constexpr size_t longest_request = size_t{4} << 20;
+constexpr size_t longest_notes = size_t{1} << 20;
 
-enum class Kind : uint32_t { ask, ready, image, error, done };
+enum class Kind : uint32_t { ask, ready, image, error, done, notes };
 
 /// Precedes each message. Both ends are on one machine, so byte order and padding agree.
 struct Header {
@@ -66,6 +69,43 @@ Shot shot_of(const json& from) {
     shot.calls.texts = from.at("calls").get<std::vector<std::string>>();
     shot.calls.includes = from.at("calls_include").get<std::vector<std::string>>();
     return shot;
+}
+
+json as_json(const LoneCall& call) {
+    return {{"name", call.name},     {"file", call.file},       {"line", call.line},
+            {"number", call.number}, {"count", call.count},     {"arguments", call.arguments},
+            {"inputs", call.inputs}, {"results", call.results}, {"again", call.again}};
+}
+
+/// Throws std::exception for anything else.
+LoneCall call_of(const json& from) {
+    LoneCall call{.name = from.at("name"),
+                  .file = from.at("file"),
+                  .line = from.at("line"),
+                  .number = from.at("number"),
+                  .count = from.at("count"),
+                  .arguments = from.at("arguments"),
+                  .inputs = from.at("inputs"),
+                  .results = from.at("results"),
+                  .again = from.at("again")};
+    if (call.results.empty() || call.results.size() > 4 || call.again.size() != call.results.size())
+        throw std::length_error("a call has one to four results");
+    return call;
+}
+
+/// Returns the calls at each pixel as JSON, which has no infinity: such calls are omitted.
+std::string notes_of(const std::vector<std::vector<LoneCall>>& pixels) {
+    json all = json::array();
+    for (const std::vector<LoneCall>& calls : pixels) {
+        json& here = all.emplace_back(json::array());
+        for (const LoneCall& call : calls) {
+            const auto is_finite = [](const std::vector<float>& numbers) {
+                return std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
+            };
+            if (is_finite(call.results) && is_finite(call.again)) here.push_back(as_json(call));
+        }
+    }
+    return all.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 /// Returns a probe's floats unchanged, and a picture's values as bytes: they are multiples of 1/255.
@@ -148,6 +188,12 @@ std::string error_of(Call call) {
     }
 }
 
+std::string notes_in(const LabEntry& lab, const Shot& shot, const std::set<std::string>& files, const json& pixels) {
+    std::vector<glm::ivec2> at;
+    for (const json& pixel : pixels) at.emplace_back(pixel.at(0).get<int>(), pixel.at(1).get<int>());
+    return notes_of(lone_calls(lab, files, shot, at));
+}
+
 /// Returns whether the protocol allows this message now. The header is not trusted: it can hold any values.
 bool is_expected(const Header& header, const DrawnShots& drawn, const std::vector<Shot>& shots) {
     if (header.magic != Header{}.magic) return false;
@@ -165,6 +211,8 @@ bool is_expected(const Header& header, const DrawnShots& drawn, const std::vecto
             return is_next && header.size <= longest_error;
         case Kind::done:
             return is_ready && header.size == sizeof(double);
+        case Kind::notes:
+            return false;
     }
     return false;
 }
@@ -178,6 +226,20 @@ std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots,
                     {"pinned", renderer.pinned},
                     {"shots", json::array()}};
     for (const Shot& shot : shots) request["shots"].push_back(as_json(shot));
+    return request.dump();
+}
+
+std::string noting_request(const LabEntry& lab, const std::set<std::string>& files, const std::vector<NotedShot>& shots,
+                           const Renderer& renderer) {
+    std::vector<Shot> drawn;
+    json pixels = json::array();
+    for (const NotedShot& one : shots) {
+        drawn.push_back(one.shot);
+        json& here = pixels.emplace_back(json::array());
+        for (const glm::ivec2 pixel : one.pixels) here.push_back({pixel.x, pixel.y});
+    }
+    json request = json::parse(drawing_request(lab, drawn, renderer));
+    request["notes"] = {{"files", files}, {"pixels", pixels}};
     return request.dump();
 }
 
@@ -202,12 +264,15 @@ void draw_request(const char* course) {
     if (!std::getenv("MESA_SHADER_CACHE_DIR")) os::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
     const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
+    const json notes = request.value("notes", json());
     for (size_t i = 0; i < shots.size(); ++i) {
-        std::string pixels;
-        const std::string error = error_of(
-            [&] { pixels = bytes_of(draw_shot(*make_drawer(lab, shots[i]), shots[i]), bool(shots[i].probe)); });
+        std::string answer;
+        const std::string error = error_of([&] {
+            answer = notes.is_null() ? bytes_of(draw_shot(*make_drawer(lab, shots[i]), shots[i]), bool(shots[i].probe))
+                                     : notes_in(lab, shots[i], notes.at("files"), notes.at("pixels").at(i));
+        });
         if (error.empty())
-            stream.send(Kind::image, i, pixels);
+            stream.send(notes.is_null() ? Kind::image : Kind::notes, i, answer);
         else
             stream.send(Kind::error, i, error.substr(0, longest_error));
     }
@@ -245,6 +310,8 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
                 if (next == shots.size()) drawn.phase = DrawingPhase::done;
                 std::memcpy(&drawn.cpu, stream.data() + at, sizeof drawn.cpu);
                 break;
+            case Kind::notes:
+                break;
         }
         at += header.size;
     }
@@ -255,6 +322,33 @@ size_t drawings_size(const std::vector<Shot>& shots) {
     size_t size = 3 * sizeof(Header) + sizeof(double);
     for (const Shot& shot : shots) size += sizeof(Header) + std::max(pixel_bytes(shot), longest_error);
     return size;
+}
+
+NotedCalls read_notes(const std::string& stream, const std::vector<NotedShot>& shots) {
+    NotedCalls calls(shots.size());
+    for (size_t at = 0; stream.size() - at >= sizeof(Header);) {
+        Header header;
+        std::memcpy(&header, stream.data() + at, sizeof header);
+        at += sizeof header;
+        if (header.magic != Header{}.magic || header.size > stream.size() - at) return calls;
+        const std::string_view bytes = std::string_view(stream).substr(at, header.size);
+        at += header.size;
+        if (header.kind != Kind::notes || header.shot >= shots.size()) continue;
+        try {
+            std::vector<std::vector<LoneCall>> pixels;
+            for (const json& pixel : json::parse(bytes)) {
+                std::vector<LoneCall>& here = pixels.emplace_back();
+                for (const json& call : pixel) here.push_back(call_of(call));
+            }
+            if (pixels.size() == shots[header.shot].pixels.size()) calls[header.shot] = std::move(pixels);
+        } catch (const std::exception&) {  // not what the process was asked for
+        }
+    }
+    return calls;
+}
+
+size_t notes_size(const std::vector<NotedShot>& shots) {
+    return 3 * sizeof(Header) + sizeof(double) + shots.size() * (sizeof(Header) + longest_notes);
 }
 
 }  // namespace relief::check

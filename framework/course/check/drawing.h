@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "framework/core/context/context.h"
 #include "framework/core/lab/shot.h"
+#include "framework/course/check/explain.h"
 
 namespace relief {
 struct LabEntry;
@@ -27,6 +29,16 @@ constexpr int out_of_memory_code = 97;
 
 /// Returns the request that is sent to the drawing process.
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
+
+/// A shot of which calls are wanted at some pixels, see lone_calls().
+struct NotedShot {
+    Shot shot;
+    std::vector<glm::ivec2> pixels;
+};
+/// Returns the request for the calls of functions in `files` instead of pictures.
+std::string noting_request(const LabEntry& lab, const std::set<std::string>& files, const std::vector<NotedShot>& shots,
+                           const Renderer& renderer);
+
 /// Returns the first message of the drawing process, which asks for its request.
 std::string drawing_asks();
 
@@ -57,5 +69,13 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
 
 /// Returns the maximum size of the stream in bytes; error messages are truncated to fit.
 size_t drawings_size(const std::vector<Shot>& shots);
+
+/// The calls by shot and pixel. A shot that the process did not finish has no pixels.
+using NotedCalls = std::vector<std::vector<std::vector<LoneCall>>>;
+/// Reads the stream of a process that got a noting_request(). Never throws for bad input, and accepts no more numbers
+/// than a call can have; texts are not trusted.
+NotedCalls read_notes(const std::string& stream, const std::vector<NotedShot>& shots);
+/// Returns the maximum size of that stream in bytes.
+size_t notes_size(const std::vector<NotedShot>& shots);
 
 }  // namespace relief::check

@@ -11,6 +11,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/gl/draw_watch.h"
 #include "framework/core/gl/target.h"
+#include "framework/course/check/lone_function.h"
 
 namespace relief::check {
 namespace {
@@ -124,10 +125,10 @@ private:
 /// Explains one frame of one lab.
 class Watched {
 public:
-    Watched(const LabEntry& entry, const Manifest& manifest, const Shot& shot, const Twins& twins)
+    /// `files`: the shader task files, relative to the course's top folder.
+    Watched(const LabEntry& entry, const std::set<std::string>& files, const Shot& shot, const Twins& twins)
         : entry_(entry), shot_(shot), twins_(twins) {
-        for (const TaskInfo& task : manifest.tasks)
-            if (is_shader(task.file)) task_files_.insert(course_root() / task.file);
+        for (const std::string& file : files) task_files_.insert(course_root() / file);
     }
 
     /// Draws the frame with twins in place of functions, as `flow` says (see watched::flow), and returns the pixel.
@@ -153,6 +154,33 @@ public:
         const Image image = shot_.probe ? target.read() : read_picture(target);
         const float* const value = image.pixel(pixel.x, pixel.y);
         return {value, value + image.channels};
+    }
+
+    /// Calls `take` with the notes of each pixel. The lab is made once, so that its programs are compiled once. Omits
+    /// passes of another size. `fragments` gets the text of each program's fragment stage.
+    void note_pixels(const std::vector<glm::ivec2>& pixels, std::map<GLuint, std::string>& fragments,
+                     const std::function<void(size_t, std::vector<ExplainedFunction>)>& take) {
+        notes_ = true;
+        is_alike_only_ = true;
+        const ShaderRewriting rewriting([&](std::vector<ShaderSource>& stages, GLuint program) {
+            for (const ShaderSource& stage : stages)
+                if (stage.stage.extension() == ".frag") fragments[program] = stage.text;
+            programs_[program] = watch_functions(stages, task_files_, twins_, functions_);
+        });
+        const std::unique_ptr<Lab> lab = make_lab(entry_, shot_);
+        const Target target(shot_.probe ? TargetKind::probe : TargetKind::picture, shot_.size);
+        target_ = target.framebuffer();
+        for (size_t i = 0; i < pixels.size(); ++i) {
+            passes_.clear();
+            depths_.clear();
+            found_.clear();
+            pixel_ = {pixels[i].x, shot_.size.y - 1 - pixels[i].y};
+            {
+                const DrawWatch watch([this](const std::function<void()>& one) { on_draw(one); });
+                draw_lab(*lab, frame_of(shot_, target));
+            }
+            take(i, take_notes());
+        }
     }
 
     /// Returns the notes of the last draw(), callees before callers.
@@ -214,7 +242,7 @@ private:
         set(program, watched::rounds, watched::all_rounds);
         if (is_picture || is_alike)
             note_pixel(program, framebuffer, noting, draw, is_opaque, target.size());
-        else if (!programs_[program].empty())
+        else if (!programs_[program].empty() && !is_alike_only_)
             note_texel(program, framebuffer, noting, draw, target.size());
         set(program, watched::noting, 0);
         set(program, watched::function, 0);
@@ -359,8 +387,95 @@ private:
     GLuint target_ = 0;
     glm::ivec2 pixel_{0};  ///< counted from the bottom row
     int flow_ = 0;
-    bool notes_ = false;
+    bool notes_ = false, is_alike_only_ = false;
 };
+
+/// Draws one pixel with a fragment shader of lone_function().
+class LoneProgram {
+public:
+    explicit LoneProgram(const std::string& fragment)
+        : program_(std::vector<ShaderSource>{
+              {"lone.vert",
+               "#version 410 core\nvoid main() {\n"
+               "    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n",
+               {},
+               {}},
+              {"lone.frag", fragment, {}, {}}}) {}
+
+    /// Precondition: at most lone_size numbers.
+    std::vector<float> run(const std::vector<float>& numbers, size_t result_count) const {
+        const Target target(TargetKind::probe, {1, 1});
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glViewport(0, 0, 1, 1);
+        for (const GLenum capability : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) glDisable(capability);
+        glUseProgram(program_);
+        glUniform1fv(glGetUniformLocation(program_, lone_numbers), GLsizei(numbers.size()), numbers.data());
+        glBindVertexArray(nothing_);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        const Image image = target.read();
+        return {image.values.begin(), image.values.begin() + std::ptrdiff_t(result_count)};
+    }
+
+private:
+    Program program_;
+    VertexArrayName nothing_;
+};
+
+/// The programs of functions by themselves, each compiled once.
+class LonePrograms {
+public:
+    /// Returns null for a function that is not alone.
+    const LoneProgram* of(const std::map<GLuint, std::string>& fragments, const std::string& signature) {
+        if (const auto known = programs_.find(signature); known != programs_.end()) return known->second.get();
+        std::unique_ptr<LoneProgram>& made = programs_[signature];
+        for (const auto& [program, fragment] : fragments) {
+            const std::string text = lone_function(fragment, signature);
+            if (text.empty()) continue;
+            try {
+                made = std::make_unique<LoneProgram>(text);
+            } catch (const Error&) {  // it reads more than its arguments
+            }
+            break;
+        }
+        return made.get();
+    }
+
+private:
+    std::map<std::string, std::unique_ptr<LoneProgram>> programs_;
+};
+
+/// Digits of arguments that a person computes with.
+constexpr int argument_digits = 4;
+
+/// Returns nothing if an argument cannot be shown.
+std::optional<LoneCall> lone_call(const ExplainedFunction& one, const ExplainedCall& call, const LoneProgram& program) {
+    LoneCall lone{.name = one.function.name,
+                  .file = one.function.place.file.lexically_relative(course_root()).string(),
+                  .line = int(one.function.place.line),
+                  .number = call.number,
+                  .count = one.calls,
+                  .arguments = {},
+                  .inputs = {},
+                  .results = call.results,
+                  .again = {}};
+    const float* at = call.inputs.data();
+    for (const ValueShape& shape : one.function.inputs) {
+        const ShownValue value = shown_value(shape, at, argument_digits);
+        if (value.text.empty()) return {};
+        lone.arguments.push_back(shape.name + " " + value.text);
+        lone.inputs.insert(lone.inputs.end(), value.numbers.begin(), value.numbers.end());
+    }
+    if (lone.inputs.size() > lone_size || lone.results.size() > 4) return {};
+    lone.again = program.run(lone.inputs, lone.results.size());
+    return lone;
+}
+
+std::set<std::string> shader_task_files(const Manifest& manifest) {
+    std::set<std::string> files;
+    for (const TaskInfo& task : manifest.tasks)
+        if (is_shader(task.file)) files.insert(task.file);
+    return files;
+}
 
 /// Returns a direction normalised, for probes whose length is arbitrary.
 std::vector<float> without_length(std::vector<float> value) {
@@ -397,7 +512,7 @@ Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& s
             fmt::format("the picture is {} x {} pixels: columns 0 to {}, rows 0 to {} from the top; there is no {},{}",
                         shot.size.x, shot.size.y, shot.size.x - 1, shot.size.y - 1, pixel.x, pixel.y));
     const ProbeInfo* const probe = shot.probe ? &manifest.probe(shot.probe.name) : nullptr;
-    Watched watched(lab, manifest, shot, twins);
+    Watched watched(lab, shader_task_files(manifest), shot, twins);
     Explanation result;
     result.value = watched.draw(pixel, 0, true);
     result.functions = watched.take_notes();
@@ -422,6 +537,29 @@ Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& s
         result.with_twins = true;
     }
     return result;
+}
+
+std::vector<std::vector<LoneCall>> lone_calls(const LabEntry& lab, const std::set<std::string>& files, const Shot& shot,
+                                              const std::vector<glm::ivec2>& pixels) {
+    const Twins no_twins;
+    Watched watched(lab, files, shot, no_twins);
+    std::map<GLuint, std::string> fragments;
+    std::vector<std::vector<ExplainedFunction>> notes(pixels.size());
+    watched.note_pixels(pixels, fragments, [&](size_t pixel, std::vector<ExplainedFunction> functions) {
+        notes[pixel] = std::move(functions);
+    });
+    LonePrograms programs;
+    std::vector<std::vector<LoneCall>> calls(pixels.size());
+    for (size_t i = 0; i < pixels.size(); ++i)
+        for (const ExplainedFunction& one : notes[i]) {
+            const bool is_here = one.pixel == pixels[i] && one.size == shot.size;
+            if (!is_here || one.is_unfinished || one.function.stage != WatchedFunction::fragment) continue;
+            const LoneProgram* const program = programs.of(fragments, one.function.signature);
+            if (!program) continue;
+            for (const ExplainedCall& call : one.shown)
+                if (auto lone = lone_call(one, call, *program)) calls[i].push_back(*std::move(lone));
+        }
+    return calls;
 }
 
 }  // namespace relief::check

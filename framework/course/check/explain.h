@@ -5,7 +5,9 @@
 // target of floats (see watched_shader.h). So functions of all stages are covered, and of earlier passes, too.
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,5 +65,24 @@ struct Explanation {
 /// outside of the shot, and propagates errors of the lab.
 Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& shot, glm::ivec2 pixel,
                     const Twins& twins);
+
+/// A call of a function whose result depends on its arguments alone, so that a person can compute it: see
+/// lone_function(). Its numbers are rounded for people.
+struct LoneCall {
+    std::string name;                    ///< of the function
+    std::string file;                    ///< relative to the course's top folder
+    int line = 0;                        ///< of the function
+    int number = 0, count = 1;           ///< the call at this pixel, counted from 0, and the number of its calls there
+    std::vector<std::string> arguments;  ///< "height 0.73"
+    std::vector<float> inputs;           ///< the rounded numbers of the arguments
+    std::vector<float> results;          ///< what the function returned there
+    std::vector<float> again;            ///< what it returns for the rounded arguments
+};
+
+/// Returns for each pixel such calls in the fragment stage of the picture, or of a pass of the same size. Draws in the
+/// current context. `files`: the shader task files, relative to the course's top folder. Precondition: the pixels are
+/// inside of the shot.
+std::vector<std::vector<LoneCall>> lone_calls(const LabEntry& lab, const std::set<std::string>& files, const Shot& shot,
+                                              const std::vector<glm::ivec2>& pixels);
 
 }  // namespace relief::check

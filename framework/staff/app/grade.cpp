@@ -12,6 +12,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
+#include "framework/staff/app/questions.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/gradescope.h"
@@ -26,7 +27,7 @@ namespace {
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, slurm, status;
+    std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, slurm, status, questions;
     std::string context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
          gradescope = false;
@@ -307,6 +308,19 @@ int grade_on_slurm(const GradeArguments& arguments, grade::ClassOptions& options
     return start_class(options, parts, arguments.jobs.empty() ? 0 : options.jobs, words_for_jobs(arguments));
 }
 
+/// Writes questions about each submission into the folder `questions`, with the class's seed.
+void ask_class(const grade::ClassOptions& options, const grade::ClassReport& report, int count) {
+    QuestionOptions asked{.submissions = options.submissions,
+                          .labs = options.labs,
+                          .folder = options.output / "questions",
+                          .count = count,
+                          .jobs = options.jobs,
+                          .seed = report.seed,
+                          .setup = options.setup};
+    asked.setup.isolation = report.isolation.level;
+    write_questions(asked);
+}
+
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
 /// mark.
 int grade_submissions(const GradeArguments& arguments) {
@@ -325,8 +339,13 @@ int grade_submissions(const GradeArguments& arguments) {
     }
     for (const auto& [given, option] : {std::pair(arguments.resume, "--resume"),
                                         {!arguments.shard.empty(), "--shard"},
-                                        {!arguments.slurm.empty(), "--slurm"}})
+                                        {!arguments.slurm.empty(), "--slurm"},
+                                        {!arguments.questions.empty(), "--questions"}})
         if (given && !purpose.empty()) throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
+    for (const auto& [given, option] :
+         {std::pair(!arguments.shard.empty(), "--shard"), {!arguments.slurm.empty(), "--slurm"}})
+        if (given && !arguments.questions.empty())
+            throw UsageError(fmt::format("{} grades parts: ask with relief questions SUBMISSION... instead", option));
     if (!arguments.class_file.empty() &&
         (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope || !arguments.status.empty()))
         throw UsageError("--class goes with submissions, --resume or --merge");
@@ -351,6 +370,8 @@ int grade_submissions(const GradeArguments& arguments) {
     if (arguments.json) throw UsageError("--json goes with --mutate or --status");
     if (arguments.output.empty()) throw UsageError("grade needs a folder for its results: -o FOLDER");
     options.output = arguments.output;
+    const int questions =
+        arguments.questions.empty() ? 0 : whole_number(arguments.questions, "--questions", 1, most_questions);
     if (arguments.gradescope) return make_gradescope(options);
     if (!arguments.slurm.empty()) return grade_on_slurm(arguments, options);
     options.shard = grade::shard_of(arguments.shard);
@@ -363,7 +384,10 @@ int grade_submissions(const GradeArguments& arguments) {
     const grade::ClassReport report = grade::grade_class(options, pages_into(options.output));
     if (!options.shard.whole())
         return print_report(report, grade::class_standing(report.marks, {}, {}), arguments.output, options.shard);
-    return print_report(report, pages::write_summaries(report, options.output), arguments.output, options.shard);
+    const int code =
+        print_report(report, pages::write_summaries(report, options.output), arguments.output, options.shard);
+    if (questions > 0) ask_class(options, report, questions);
+    return code;
 }
 
 class GradeCommand final : public Command {
@@ -394,6 +418,8 @@ public:
             "processors per part; sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and so on");
         options.value("--status", "FOLDER", grade_.status,
                       "say how far the class in this folder is, part by part; takes no submissions");
+        options.value("--questions", "N", grade_.questions,
+                      "also ask each student N questions about their own code, in the folder questions of -o FOLDER");
         options.flag("--gradescope", grade_.gradescope,
                      "write an autograder for Gradescope to -o FOLDER; takes no submissions");
         options.flag("--resume", grade_.resume, "continue the last run into this folder where it stopped");

@@ -51,6 +51,26 @@ check::Judgement blame(const ProcessResult& result, const std::string& problem) 
 /// Returns the first line of untrusted output, made printable.
 std::string message(const std::string& text) { return printable(first_line(text), 400); }
 
+/// Returns the job of a drawing process. Its output is not limited yet.
+ProcessJob drawing_job(const Stage& stage, const StagedCourse& course, std::string request,
+                       const AttemptLimits& limits) {
+    ProcessJob job;
+    job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
+    job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
+    // Later shots of this process reuse compiled shaders. The cache lies in the sandbox's own memory and ends with it.
+    if (stage.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+    job.request = std::move(request);
+    job.asks = check::drawing_asks();
+    job.limits.wall = limits.wall();
+    job.limits.cpu = std::ceil(limits.cpu);
+    job.limits.memory = limits.memory;
+    return job;
+}
+
+Confinement drawing_confinement(const Stage& stage, const StagedCourse& course) {
+    return {.isolation = stage.isolation(), .readable = course.readable, .processes = 32, .makes_processes = false};
+}
+
 /// Draws the shots of a staged course. Starts another process whenever one dies.
 class StagedDrawing {
 public:
@@ -77,10 +97,7 @@ public:
             if (wall_left_ <= 0 || cpu_left_ <= 0)
                 return fail(from, end, {check::Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
-            const ProcessResult result = run_sandboxed(job(rest), {.isolation = stage_.isolation(),
-                                                                   .readable = course_.readable,
-                                                                   .processes = 32,
-                                                                   .makes_processes = false});
+            const ProcessResult result = run_sandboxed(job(rest), drawing_confinement(stage_, course_));
             wall_left_ -= result.wall;
             attempt_.draw += result.wall;
             check::DrawnShots drawn = check::read_drawings(result.output, rest);
@@ -111,17 +128,9 @@ public:
 
 private:
     ProcessJob job(const std::vector<Shot>& shots) const {
-        ProcessJob job;
-        job.command = {course_.program.string(), "draw-checks", "--course", course_.folder->path().string()};
-        job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course_.libraries.string()}};
-        // Later shots of this process reuse compiled shaders. The cache lies in the sandbox's own memory and ends with
-        // it.
-        if (stage_.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
-        job.request = check::drawing_request(lab_, shots, renderer_);
-        job.asks = check::drawing_asks();
+        ProcessJob job = drawing_job(stage_, course_, check::drawing_request(lab_, shots, renderer_), limits_);
         job.limits.wall = std::min(wall_left_, limits_.wall());
         job.limits.cpu = std::ceil(std::min(cpu_left_, limits_.cpu));
-        job.limits.memory = limits_.memory;
         job.limits.output = check::drawings_size(shots);
         return job;
     }
@@ -190,6 +199,20 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     drawing.draw(first, shots.size());
     result.log = log;
     return result;
+}
+
+check::NotedCalls note_calls(const Stage& stage, const LabEntry& lab, const CourseFiles& files,
+                             const std::vector<check::NotedShot>& shots, const check::Renderer& renderer,
+                             const AttemptLimits& limits) {
+    StagedCourse course = stage.course(lab, files);
+    if (!stage.compile(lab, course, 3 * limits.cpu, 3 * limits.wall()).message.empty())
+        return check::NotedCalls(shots.size());
+    std::set<std::string> shaders;
+    for (const auto& [file, text] : files)
+        if (is_shader(file)) shaders.insert(file);
+    ProcessJob job = drawing_job(stage, course, check::noting_request(lab, shaders, shots, renderer), limits);
+    job.limits.output = check::notes_size(shots);
+    return check::read_notes(run_sandboxed(job, drawing_confinement(stage, course)).output, shots);
 }
 
 }  // namespace relief::grade

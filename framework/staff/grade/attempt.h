@@ -43,4 +43,10 @@ struct AttemptLimits {
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
                 const check::Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 
+/// Returns the calls of the functions in `files` at some pixels of `shots`, see check::lone_calls(). They run in the
+/// sandbox like attempt(), in one process. A shot that is not finished within the limits has no pixels.
+check::NotedCalls note_calls(const Stage& stage, const LabEntry& lab, const CourseFiles& files,
+                             const std::vector<check::NotedShot>& shots, const check::Renderer& renderer,
+                             const AttemptLimits& limits);
+
 }  // namespace relief::grade

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "framework/core/base/text.h"
+#include "framework/core/gl/glsl_text.h"
 #include "framework/course/check/starter.h"
 
 namespace relief::grade {
@@ -155,11 +156,16 @@ class Maker {
 public:
     Maker(const std::string& text, const std::filesystem::path& file, const std::string& header) : text_(text) {
         for (const auto& [begin, end] : solutions(text, file)) {
-            const Tokens tokens(text, begin, end);
-            for (size_t i = 0; i < tokens.size(); ++i) token(tokens, i);
+            mutate(begin, end);
             outputs(begin, text + header);
         }
         std::stable_sort(made_.begin(), made_.end(), [](const Made& a, const Made& b) { return a.begin < b.begin; });
+    }
+
+    /// Of the functions' bodies in a text without marks.
+    explicit Maker(const std::string& shader) : text_(shader) {
+        for (const GlslFunction& function : parse_glsl(shader).functions)
+            mutate(shader.find('{', function.name_at) + 1, function.end - 1);
     }
 
     std::vector<Mutant> take() {
@@ -173,6 +179,11 @@ private:
         size_t begin;
         Mutant mutant;
     };
+
+    void mutate(size_t begin, size_t end) {
+        const Tokens tokens(text_, begin, end);
+        for (size_t i = 0; i < tokens.size(); ++i) token(tokens, i);
+    }
 
     static std::vector<std::pair<size_t, size_t>> solutions(const std::string& text,
                                                             const std::filesystem::path& file) {
@@ -392,6 +403,19 @@ private:
 
 std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file, const std::string& header) {
     return Maker(text, file, header).take();
+}
+
+std::vector<Mutant> line_mutants_of(const std::string& shader) {
+    const std::vector<std::string> lines = split(shader, '\n');
+    std::vector<Mutant> mutants = Maker(shader).take();
+    std::erase_if(mutants, [&](const Mutant& mutant) {
+        const std::vector<std::string> changed = split(mutant.text, '\n');
+        if (changed.size() != lines.size()) return true;
+        for (size_t i = 0; i < lines.size(); ++i)
+            if (changed[i] != lines[i] && i + 1 != size_t(mutant.line)) return true;
+        return false;
+    });
+    return mutants;
 }
 
 }  // namespace relief::grade

@@ -24,4 +24,8 @@ struct Mutant {
 std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file,
                                const std::string& header = {});
 
+/// Returns the mutants of a student's shader, which has no marks: of the body of each function. Each changes one line.
+/// None replaces a function's result.
+std::vector<Mutant> line_mutants_of(const std::string& shader);
+
 }  // namespace relief::grade

@@ -442,19 +442,6 @@ TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     course().overwrite(file, before);
 }
 
-std::string from_base64(const std::string& text) {
-    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        if (c == '=') break;
-        bits = bits << 6 | uint32_t(letters.find(c));
-        if ((count += 6) >= 8) bytes += char(bits >> (count -= 8) & 255);
-    }
-    return bytes;
-}
-
 /// Returns the text between two words after `from`, and moves `from` past it; "" and npos if there is none.
 std::string between(const std::string& text, const std::string& begin, const std::string& end, size_t& from) {
     const size_t at = text.find(begin, from);
@@ -638,7 +625,7 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
 TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
     for (const char* command :
          {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench", "handout", "grade", "web",
-          "slides", "mistakes", "inspect", "synctest", "map", "explain"}) {
+          "slides", "mistakes", "inspect", "synctest", "map", "explain", "questions"}) {
         const Result result = course().relief({command, "--help"});
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;

@@ -51,4 +51,17 @@ std::vector<std::string> files_in(const fs::path& folder) {
     return names;
 }
 
+std::string from_base64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | uint32_t(letters.find(c));
+        if ((count += 6) >= 8) bytes += char(bits >> (count -= 8) & 255);
+    }
+    return bytes;
+}
+
 }  // namespace relief

@@ -23,6 +23,9 @@ private:
 
 std::string read_all(const std::filesystem::path& file);
 
+/// Returns the bytes of a data URI's text.
+std::string from_base64(const std::string& text);
+
 /// Returns the names of the files in a folder.
 std::vector<std::string> files_in(const std::filesystem::path& folder);
 

@@ -5,6 +5,7 @@
 #include "framework/core/base/file.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/question_pages.h"
 #include "framework/staff/pages/student_page.h"
 #include "framework/staff/pages/summaries.h"
 #include "tests/browser.h"
@@ -446,6 +447,32 @@ TEST(Pages, AxeFindsNothing) {
                                  graded.student("Anna", pages::PageFor::student)}) {
         browser().open(page);
         EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
+    }
+}
+
+TEST(Pages, WithQuestionsAreLegibleForEverybody) {
+    const TemporaryFolder folder;
+    grade::Question value;
+    value.task = "2.1", value.file = "shaders/02_normal_map_storage/task.glsl", value.view = "three bytes and back";
+    value.pictures = {sphere(0)};
+    value.call.name = "decode_unorm8", value.call.arguments = {"code (0.5, 0.5, 1)"};
+    value.mark_is_lost = true;
+    value.answer = "(0, 0, 1)", value.drawn_here = value.expected_here = "1", value.found = "mean 3 degrees";
+    grade::Question picture = value, line = value;
+    picture.kind = grade::QuestionKind::picture, line.kind = grade::QuestionKind::line;
+    picture.pictures.assign(4, sphere(0)), line.pictures.assign(2, sphere(0));
+    const std::string code = "return vec3(code.xy * 2.0 - 1.0, sqrt(max(0.0, 1.0 - dot(code.xy, code.xy)))); // z";
+    picture.changes = {{7, code, code}}, line.changes.assign(4, {7, code, ""});
+    const pages::StudentQuestions student{"jane", {value, picture, line}, 5, {"lab 10: has no shader task"}};
+    for (const fs::path& page : {folder.write("sheet.html", pages::question_sheet(student)),
+                                 folder.write("key.html", pages::question_key({student}))}) {
+        browser().open(page);
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
+        for (const bool dark : {false, true}) {
+            browser().dark(dark);
+            EXPECT_EQ(browser().faint_texts(), Names{}) << page << (dark ? " in the dark" : " in light");
+        }
+        browser().dark(false);
     }
 }
 

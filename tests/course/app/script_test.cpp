@@ -153,7 +153,7 @@ TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
         commands_in(help, contains(help, "SUBCOMMANDS:") ? "SUBCOMMANDS:" : "Subcommands:");
     std::set<std::string> students = commands_in(script({"--help"}).out, "Commands:");
     EXPECT_LT(students.size(), program.size());
-    for (const char* staff : {"bench", "handout", "grade", "web", "slides", "mistakes", "synctest", "map"})
+    for (const char* staff : {"bench", "handout", "grade", "web", "slides", "mistakes", "synctest", "map", "questions"})
         for (const std::string& one : program)
             if (one.starts_with(std::string(staff) + ":")) students.insert(one);
     EXPECT_EQ(students, program);

@@ -3,6 +3,7 @@
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
 #include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/question_pages.h"
 #include "framework/staff/pages/standing_part.h"
 #include "framework/staff/pages/student_page.h"
 #include "tests/support.h"
@@ -46,6 +47,33 @@ grade::SubmissionMark some_submission() {
     mark.labs.push_back({.lab = "02_" + hostile, .tasks = {task}, .log = hostile, .times = {}});
     mark.ignored = {hostile}, mark.ignored_count = 1;
     return mark;
+}
+
+StudentQuestions some_questions() {
+    grade::Question value;
+    value.lab = value.task = value.file = value.view = value.probe = hostile;
+    value.pictures = {Image(4, 4, 3, 8)};
+    value.call.name = hostile, value.call.arguments = {hostile}, value.call.count = 2;
+    value.mark_is_lost = true;
+    value.drawn_here = value.expected_here = value.unit = value.found = value.look_at = hostile;
+    value.answer = "the answer";
+    grade::Question picture = value, line = value;
+    picture.kind = grade::QuestionKind::picture, line.kind = grade::QuestionKind::line;
+    picture.pictures.assign(4, Image(4, 4, 3, 8)), line.pictures.assign(2, Image(4, 4, 3, 8));
+    picture.changes = {{7, hostile, hostile}}, line.changes.assign(4, {7, hostile, hostile});
+    return {hostile, {value, picture, line}, 4, {hostile}};
+}
+
+TEST(QuestionPages, ShowSubmissionsAsTextAndAnswersInTheKeyOnly) {
+    const StudentQuestions student = some_questions();
+    const std::string sheet = question_sheet(student), key = question_key({student});
+    EXPECT_GT(times_escaped(sheet), 20);
+    EXPECT_GT(times_escaped(key), 20);
+    EXPECT_EQ(sheet.find("the answer"), std::string::npos);
+    EXPECT_NE(key.find("the answer"), std::string::npos);
+    EXPECT_EQ(key.find("data:image"), std::string::npos);
+    EXPECT_NE(sheet.find("3 of 4 questions"), std::string::npos);
+    EXPECT_NE(sheet.find("left: 12.50%; top: 12.50%"), std::string::npos) << "the mark is at the pixel's centre";
 }
 
 TEST(LabPage, ShowsAManifestAsText) {
