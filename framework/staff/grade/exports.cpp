@@ -139,6 +139,8 @@ std::string to_csv(const ClassStanding& standing) {
     Cells head{"submission", "state", "points", "of"};
     if (has_roster) head.insert(head.end(), {"name", "email", "login", "canvas_id", "sis_id", "section"});
     head.insert(head.end(), {"by the checks", "adjusted by", "late by", "remarks"});
+    if (standing.policy.late.bank_days > 0)
+        head.push_back(fmt::format("late days used (of {})", standing.policy.late.bank_days));
     for (const LabStanding& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
     for (const LabStanding& lab : labs)
         for (const TaskStanding& task : lab.tasks) head.push_back(fmt::format("{} (of {})", task.id, task.of));
@@ -153,6 +155,7 @@ std::string to_csv(const ClassStanding& standing) {
                 cells.push_back(cell(word));
         cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
                                    points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
+        if (standing.policy.late.bank_days > 0) cells.push_back(std::to_string(one.bank_used));
         for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? check::points_text(lab.points()) : "");
         for (const LabStanding& lab : one.labs)
             for (const TaskStanding& task : lab.tasks)
@@ -160,6 +163,22 @@ std::string to_csv(const ClassStanding& standing) {
                     !lab.marked || (!lab.handed_in && task.adjusted == 0) ? "" : check::points_text(task.adjusted));
         text += csv_line(cells);
     }
+    return text;
+}
+
+std::string to_late_days(const ClassStanding& standing) {
+    const UtcOffset offset = standing.policy.utc_offset;
+    std::string text = csv_line(Cells{"submission", "lab", "due", "handed in", "days late", "cost nothing",
+                                      "cost points", "used in the term", "left in the term", "hand-ins graded",
+                                      "last graded on", "graded on that day", "remark"});
+    for (const Standing& one : standing.students)
+        for (const LabStanding& lab : one.labs)
+            text += csv_line(
+                Cells{cell(one.student.student), number_of_lab(lab.lab), lab.due ? moment_text(*lab.due, offset) : "",
+                      lab.handed_in_at ? moment_text(*lab.handed_in_at, offset) : "", std::to_string(lab.days_late),
+                      std::to_string(lab.bank_days), std::to_string(lab.days_late - lab.bank_days),
+                      std::to_string(one.bank_used), std::to_string(one.bank_days - one.bank_used),
+                      std::to_string(lab.hand_ins), lab.last_day, std::to_string(lab.on_last_day), cell(lab.kept)});
     return text;
 }
 
@@ -345,7 +364,11 @@ std::string to_table(const ClassStanding& standing) {
     if (!standing.students.empty())
         for (const LabStanding& lab : standing.students.front().labs)
             text += fmt::format("  {:>7}", "lab " + number_of_lab(lab.lab));
-    text += "       all\n";
+    const bool has_bank = standing.policy.late.bank_days > 0, is_limited = standing.policy.hand_ins_per_day > 0;
+    text += "       all";
+    if (has_bank) text += "  late days";
+    if (is_limited) text += "  hand-ins";
+    text += "\n";
     for (const Standing& one : standing.students) {
         text += fmt::format("{:<{}}", one.student.student, width);
         for (const LabStanding& lab : one.labs)
@@ -355,11 +378,20 @@ std::string to_table(const ClassStanding& standing) {
                                                : fmt::format("{}/{}", check::points_text(lab.points()), lab.of()));
         text += fmt::format("  {:>8}",
                             one.is_marked() ? fmt::format("{}/{}", check::points_text(one.points()), one.of()) : "?");
+        if (has_bank) text += fmt::format("  {:>9}", fmt::format("{}/{}", one.bank_used, one.bank_days));
+        if (is_limited) {
+            int graded = 0;
+            for (const LabStanding& lab : one.labs) graded += lab.hand_ins;
+            text += fmt::format("  {:>8}", graded);
+        }
         if (one.state() != "graded") text += "  " + one.state();
         if (one.is_marked() && one.adjusted() != one.graded())
             text += fmt::format("  adjusted by {}", check::points_text(one.adjusted() - one.graded()));
         if (one.is_marked() && one.points() != one.adjusted())
             text += fmt::format("  late: {} less", check::points_text(one.adjusted() - one.points()));
+        for (const LabStanding& lab : one.labs)
+            if (!lab.kept.empty())
+                text += fmt::format("  lab {}: beyond the limit of hand-ins", number_of_lab(lab.lab));
         text += "\n";
     }
     return text;

@@ -81,6 +81,7 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     const std::vector<std::string> absent = left_out(policy, names, folder);
     names.insert(absent.begin(), absent.end());  // waiting for a mark, not 0 points
     grade::ClassStanding standing = grade::class_standing(report.marks, policy, labs_of(folder), names);
+    grade::add_hand_ins(standing, folder);
     if (!absent.empty())
         standing.notes.push_back(fmt::format(
             "{} handed in before, and this run does not name the submission, so there is no mark: {}. Name all of the "
@@ -101,6 +102,10 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
         write_file(folder / "canvas.csv", grade::to_canvas(standing));
     else
         fs::remove(folder / "canvas.csv");  // a stale file must not be uploaded
+    if (grade::has_limits(standing.policy))
+        write_file(folder / "late_days.csv", grade::to_late_days(standing));
+    else
+        fs::remove(folder / "late_days.csv");
     for (const grade::AssignedLab& lab : standing.policy.labs)
         if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");

@@ -837,6 +837,65 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(other.err, "lab 05 is not assigned in ")) << other.err;
 }
 
+TEST(Grade, AHandInBeyondTheLimitOfTheDayKeepsTheEarlierMark) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const std::string solution = course_file(shader), starter = check::starter_of(solution, shader),
+                      lab_1 = "shaders/01_specular_highlights/task.glsl";
+    folder.write("class.toml",
+                 "utc_offset = \"+00:00\"\n[attempts]\nper_day = 2\n[[assigned]]\nlab = 1\n[[assigned]]\nlab = 2\n");
+    const auto hand_in = [&](const std::string& text) {
+        folder.write(std::string("jane/") + shader, text);
+        const Result result = run(grade({(folder.path() / "jane").string(), "-o", output.string(), "--class",
+                                         (folder.path() / "class.toml").string()}));
+        EXPECT_EQ(result.code, 0) << result.err;
+        return result;
+    };
+    const auto hand_ins = [&] {
+        const std::string log = read_file(output / "hand_ins/jane.csv");
+        return std::count(log.begin(), log.end(), '\n') - 1;
+    };
+    const auto points = [&] { return result_of(output, "jane").value("points", -1.0); };
+    hand_in(starter);
+    EXPECT_EQ(hand_ins(), 1);
+    EXPECT_TRUE(contains(hand_in(starter).out, "1 unchanged"));
+    EXPECT_EQ(hand_ins(), 1) << "the same files are no hand-in";
+    hand_in(starter + "// again\n");
+    EXPECT_EQ(points(), 0);
+    EXPECT_EQ(hand_ins(), 2);
+
+    const std::string page = read_file(output / "submissions/jane.html");
+    const Result third = hand_in(solution);
+    EXPECT_EQ(points(), 0) << "the mark of the second hand-in";
+    EXPECT_EQ(hand_ins(), 2);
+    EXPECT_TRUE(contains(third.err, "1 submission is beyond the limit of hand-ins and keeps an earlier mark: jane"))
+        << third.err;
+    EXPECT_TRUE(contains(third.out, "lab 02: beyond the limit of hand-ins")) << third.out;
+    for (const char* file : {"students/jane.html", "submissions/jane.html", "report.html", "results.csv",
+                             "late_days.csv", "gradescope/jane.json", "prairielearn/jane.json"})
+        EXPECT_TRUE(contains(read_file(output / file), "the last hand-in is not graded, because 2 of ")) << file;
+    EXPECT_GT(read_file(output / "submissions/jane.html").size(), page.size()) << "the pictures of the mark stay";
+    const Result merged = run({relief_program(), "grade", "--merge", output.string()});
+    EXPECT_EQ(merged.code, 0) << merged.err;
+
+    // Another lab has its own limit.
+    folder.write("jane/" + lab_1, course_file(lab_1));
+    hand_in(solution);
+    EXPECT_EQ(points(), 5);
+    EXPECT_EQ(hand_ins(), 3);
+    hand_in(solution);
+    EXPECT_EQ(points(), 5) << "still the same day";
+
+    // A hand-in of another day is graded: here the logged ones move to an earlier day.
+    std::string log = read_file(output / "hand_ins/jane.csv");
+    for (size_t at = 0; (at = log.find(",20", at)) != log.npos; at += 3) log.replace(at, 5, ",1999");
+    folder.write("out/hand_ins/jane.csv", log);
+    const Result next = hand_in(solution);
+    EXPECT_EQ(points(), 5 + 11);
+    EXPECT_EQ(hand_ins(), 4);
+    EXPECT_FALSE(contains(next.err, "beyond the limit")) << next.err;
+}
+
 TEST(Grade, WrongUseIsOneClearLine) {
     const TemporaryFolder folder;
     folder.write(std::string("a/jane/") + shader, "");
