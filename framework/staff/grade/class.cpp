@@ -238,7 +238,8 @@ private:
             if (before && hand_ins_on_day(log, lab->folder, options_.now, utc_offset_) >= hand_ins_per_day_) {
                 LabMark& kept = entry.kept[lab->folder] = *before;
                 kept.kept = fmt::format(
-                    "the last hand-in is not graded, because {} of {} were; this is the mark of the one before it",
+                    "the last hand-in is not graded, because of the limit of {} on {}; this is the mark of an earlier "
+                    "one",
                     hand_ins_per_day_, moment_text(options_.now, utc_offset_).substr(0, 10));
             } else
                 entry.hand_ins.push_back({lab->folder, options_.now, files});

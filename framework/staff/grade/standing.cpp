@@ -292,6 +292,12 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     return result;
 }
 
+std::string hand_ins_text(const LabStanding& lab) {
+    const std::string all = amount_of(lab.hand_ins, "hand-in") + " graded";
+    return lab.hand_ins == lab.on_last_day ? fmt::format("{}, on {}", all, lab.last_day)
+                                           : fmt::format("{}, {} of them on {}", all, lab.on_last_day, lab.last_day);
+}
+
 void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder) {
     if (standing.policy.hand_ins_per_day == 0) return;
     const UtcOffset offset = standing.policy.utc_offset;

@@ -82,6 +82,9 @@ ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, Clas
 /// Returns "3 days late, of which 2 cost nothing, 10 % less".
 std::string lateness_text(const LabStanding& lab);
 
+/// Returns "5 hand-ins graded, 2 of them on 2027-03-01".
+std::string hand_ins_text(const LabStanding& lab);
+
 /// Reads the number of graded hand-ins of each lab from the logs in the folder of results.
 void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder);
 

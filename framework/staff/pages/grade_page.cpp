@@ -237,9 +237,7 @@ Value used_table(const grade::ClassStanding& standing) {
             graded += lab.hand_ins;
             const std::string number = "lab " + number_of(lab.lab) + ": ";
             if (lab.days_late > 0) labs.push_back(number + grade::lateness_text(lab));
-            if (lab.hand_ins > 0)
-                labs.push_back(number + fmt::format("{} graded, {} of them on {}", amount_of(lab.hand_ins, "hand-in"),
-                                                    lab.on_last_day, lab.last_day));
+            if (lab.hand_ins > 0) labs.push_back(number + grade::hand_ins_text(lab));
             if (!lab.kept.empty()) labs.push_back(number + lab.kept);
         }
         if (labs.empty() && one.bank_used == 0) continue;

@@ -29,9 +29,7 @@ List reasons(const grade::LabStanding& lab, grade::UtcOffset offset, PageFor rea
     else if (lab.days_late > 0)
         list.push_back(grade::lateness_text(lab));
     if (!lab.kept.empty()) list.push_back(lab.kept);
-    if (lab.hand_ins > 0)
-        list.push_back(fmt::format("{} graded, {} of them on {}", amount_of(lab.hand_ins, "hand-in"), lab.on_last_day,
-                                   lab.last_day));
+    if (lab.hand_ins > 0) list.push_back(grade::hand_ins_text(lab));
     if (!lab.due) return list;
     std::string due = "due " + grade::moment_text(*lab.due, offset);
     if (lab.extension_days > 0) {
@@ -62,9 +60,9 @@ std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, P
         notes.push_back(Fields{{"task", one.task},
                                {"points", (one.points > 0 ? "+" : "") + amount_of(one.points, "point")},
                                {"note", grade::printable(one.note, 1000)}});
-    const std::string late_days = standing.bank_days > 0 ? fmt::format("{} of {} used", standing.bank_used,
-                                                                       amount_of(standing.bank_days, "late day"))
-                                                         : "";
+    std::string late_days;
+    if (standing.bank_days > 0)
+        late_days = fmt::format("Late days used in this term: {} of {}", standing.bank_used, standing.bank_days);
     return render("framework/staff/pages/standing", {{"has_points", standing.is_marked() && standing.of() > 0},
                                                      {"points", check::points_text(standing.points())},
                                                      {"of", standing.of()},

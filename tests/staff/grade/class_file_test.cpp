@@ -5,6 +5,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
 #include "framework/staff/grade/csv.h"
+#include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/hand_in_log.h"
 #include "framework/staff/grade/standing.h"
 #include "tests/support.h"
@@ -414,6 +415,12 @@ TEST_F(ClassFiles, TheBankPaysForLateDaysInTheOrderOfTheDueDates) {
     EXPECT_EQ(jane.remarks(),
               (Cells{"lab 13: 2 days late, of which 1 cost nothing, 10 % less",
                      "lab 14: 3 days late, of which 2 cost nothing, 10 % less", "late days of the term: 3 of 3 used"}));
+    EXPECT_TRUE(contains(to_table(standing), "late days")) << to_table(standing);
+    EXPECT_TRUE(contains(to_table(standing), "      3/3  late: 0.6 less\n")) << to_table(standing);
+    EXPECT_TRUE(
+        contains(to_late_days(standing), "\njane,13,2027-03-01 23:59 +01:00,2027-03-03 10:00 +01:00,2,1,1,3,0,0,,0,\n"))
+        << to_late_days(standing);
+    EXPECT_TRUE(contains(to_csv(standing), "late days used (of 3)"));
     EXPECT_EQ(standing.students[1].bank_used, 0);
     EXPECT_TRUE(standing.students[1].remarks().empty());
 
