@@ -377,6 +377,8 @@ std::string new_seed() {
 
 IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();
+    if (isolation.level == Isolation::limits && !trust && !isolation.remedy.empty())
+        print_note(isolation.remedy.substr(0, isolation.remedy.size() - 1));
     if (isolation.level == Isolation::limits && !trust)
         throw Error(
             fmt::format("submissions cannot be isolated on this machine: {}. With --trust they run anyway, "

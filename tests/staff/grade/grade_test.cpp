@@ -671,6 +671,14 @@ TEST(Grade, RefusesToRunWithoutIsolationUnlessTrusted) {
     EXPECT_EQ(refused.code, 1);
     EXPECT_TRUE(contains(refused.err, "--trust")) << refused.err;
     EXPECT_FALSE(fs::exists(folder.path() / "out/results/jane.json"));
+    // Where AppArmor is the cause, the profile that allows bubblewrap comes along.
+    folder.write("proc/sys/kernel/apparmor_restrict_unprivileged_userns", "1\n");
+    const Circumstances ubuntu{.folder = {}, .environment = {{"RELIEF_NO_NAMESPACES", folder.path().string()}}};
+    for (const Result& told :
+         {run({relief_program(), "grade", jane, "-o", output}, ubuntu), run({relief_program(), "info"}, ubuntu)}) {
+        EXPECT_TRUE(contains(told.err + told.out, "AppArmor forbids them")) << told.err << told.out;
+        EXPECT_TRUE(contains(told.err + told.out, "profile relief-bwrap /usr/bin/bwrap")) << told.err << told.out;
+    }
     const Result trusted = run({relief_program(), "grade", jane, "-o", output, "--trust"}, without);
     EXPECT_EQ(trusted.code, 0) << trusted.err;
     EXPECT_TRUE(contains(trusted.err, "isolation: limits")) << trusted.err;
