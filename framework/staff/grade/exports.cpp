@@ -100,6 +100,28 @@ std::string sentence(const CheckMark& check) {
     return (check.hidden ? check.found : found_for_students(check)) + look_at(check);
 }
 
+/// Returns the pictures of a check that its student may see: it failed, and neither it nor its view is hidden.
+std::vector<const ExportPicture*> pictures_of(const LabMark& lab, const TaskMark& task, const CheckMark& check,
+                                              const std::vector<ExportPicture>& pictures) {
+    std::vector<const ExportPicture*> shown;
+    if (check.outcome == check::Outcome::passed || check.hidden || !check.view.empty()) return shown;
+    for (const ExportPicture& one : pictures)
+        if (one.lab == lab.lab && one.task == task.id && one.check == check.name) shown.push_back(&one);
+    return shown;
+}
+
+/// Returns HTML: the text as it is, and the pictures below it.
+std::string with_pictures(const std::string& text, const std::vector<const ExportPicture*>& pictures) {
+    std::string html =
+        "<pre style=\"white-space: pre-wrap\">" + escaped_markup(printable_lines(text, 4000)) + "</pre>\n";
+    for (const ExportPicture* one : pictures)
+        html += fmt::format(
+            "<figure style=\"display: inline-block; margin: 0 8px 8px 0\"><img alt=\"{0}\" src=\"{1}\">"
+            "<figcaption>{0}</figcaption></figure>\n",
+            escaped_markup(one->label), escaped_markup(one->uri));
+    return html;
+}
+
 /// Returns the adjustments by people and rules, one line each.
 std::string remarks_text(const Standing& standing) {
     std::string text;
@@ -247,7 +269,7 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
     return text;
 }
 
-std::string to_prairielearn(const Standing& standing) {
+std::string to_prairielearn(const Standing& standing, const std::vector<ExportPicture>& pictures) {
     constexpr size_t max_bytes = 1'000'000;
     if (!standing.is_marked())  // not counted as an attempt
         return dump({{"gradable", false},
@@ -273,15 +295,20 @@ std::string to_prairielearn(const Standing& standing) {
                          {"max_points", points},
                          {"message", std::string(name_of(check.outcome))},
                          {"output", printable_lines(found_for_students(check) + look_at(check), 4000)}});
+                    for (const ExportPicture* one : pictures_of(lab, task, check, pictures))
+                        json["tests"].back()["images"].push_back({{"label", one->label}, {"url", one->uri}});
                 }
     std::string text = dump(json);
+    if (text.size() <= max_bytes) return text;
+    for (ordered_json& test : json["tests"]) test.erase("images");
+    text = dump(json);
     if (text.size() <= max_bytes) return text;
     for (ordered_json& test : json["tests"]) test.erase("output");
     json["output"] = "There is more on the page that your instructor has.";
     return dump(json);
 }
 
-std::string to_gradescope(const Standing& standing) {
+std::string to_gradescope(const Standing& standing, const std::vector<ExportPicture>& pictures) {
     // Sets plain text: otherwise Gradescope would interpret markup in a submission's output.
     ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
     if (!standing.mark || !standing.is_marked()) {  // without a score, Gradescope reports that grading failed
@@ -294,8 +321,9 @@ std::string to_gradescope(const Standing& standing) {
     ordered_json tests = ordered_json::array();
     const auto add = [&](const std::string& name, const LabMark& lab, ordered_json more) {
         ordered_json test = {{"name", name}, {"name_format", "text"}};
+        test.update({{"output_format", "text"}});
         test.update(more);
-        test.update({{"output_format", "text"}, {"tags", {lab.lab}}});
+        test.update({{"tags", {lab.lab}}});
         tests.push_back(std::move(test));
     };
     for (const LabMark& lab : mark.labs)
@@ -310,6 +338,9 @@ std::string to_gradescope(const Standing& standing) {
                      {"status", passed ? "passed" : "failed"},
                      {"output", fmt::format("{}: {}", name_of(check.outcome), sentence(check))},
                      {"visibility", check.hidden ? "hidden" : "visible"}});
+                if (const auto shown = pictures_of(lab, task, check, pictures); !shown.empty())
+                    tests.back().update(
+                        {{"output", with_pictures(tests.back()["output"], shown)}, {"output_format", "html"}});
             }
             if (!task.hint.empty())
                 add(fmt::format("{} {}: a hint", task.id, task.title), lab,

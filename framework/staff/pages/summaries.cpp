@@ -10,6 +10,7 @@
 #include "framework/core/base/text.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/progress.h"
+#include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
 
@@ -90,8 +91,9 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const grade::Standing& one = standing.students[i];
         const std::string name = grade::file_name_of(one.name);
-        write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one));
-        write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one));
+        const std::vector<grade::ExportPicture> pictures = read_pictures(folder / pictures_file(one.name));
+        write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one, pictures));
+        write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one, pictures));
         write_file(folder / "surefire" / ("TEST-" + name + ".xml"), grade::to_surefire(one));
         for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
     });

@@ -194,6 +194,15 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
         EXPECT_EQ(found, count) << name;
         EXPECT_TRUE(contains(page, "href=\"submissions/" + name + ".html\"")) << name;
     }
+    // So do the exports, without those of hidden checks and views.
+    for (const char* kind : {"prairielearn", "gradescope"}) {
+        const std::string text = read_file(output / kind / "truncated.json");
+        EXPECT_TRUE(contains(text, "data:image/png;base64,")) << kind;
+        EXPECT_LT(text.size(), 1'000'000u);
+        EXPECT_FALSE(contains(read_file(output / kind / "good.json"), "base64"));
+        for (const json& test : json::parse(text)["tests"])
+            EXPECT_FALSE(contains(test["name"].get<std::string>(), "hidden") && contains(test.dump(), "base64"));
+    }
     const std::string truncated_page = read_file(output / "students/truncated.html");
     EXPECT_TRUE(contains(truncated_page, "You truncate"));
     EXPECT_TRUE(contains(truncated_page, "a <span class=\"hidden\">hidden check</span>"));
