@@ -19,6 +19,7 @@
 #include "framework/staff/grade/attempt.h"
 #include "framework/staff/grade/sandbox.h"
 #include "framework/staff/grade/stage.h"
+#include "framework/staff/grade/submission.h"
 #include "tests/course/app/course_copy.h"
 #include "tests/process.h"
 #include "tests/support.h"
@@ -913,6 +914,70 @@ TEST(Grade, AHandInBeyondTheLimitOfTheDayKeepsTheEarlierMark) {
     EXPECT_EQ(points(), 5 + 11);
     EXPECT_EQ(hand_ins(), 4);
     EXPECT_FALSE(contains(next.err, "beyond the limit")) << next.err;
+}
+
+TEST(Grade, TheScriptOfTheGuideCollectsTheLastCommitBeforeTheDeadline) {
+    const TemporaryFolder folder;
+    const std::string guide = course_file("labs/staff/README.md"), begin = "```bash collect.sh\n";
+    const size_t at = guide.find(begin);
+    ASSERT_NE(at, std::string::npos);
+    folder.write("collect.sh", guide.substr(at + begin.size(), guide.find("```", at + 3) - at - begin.size()));
+    const auto in = [&](const std::string& script, const std::string& date = "2027-03-01T12:00:00Z") {
+        const Result result = run({"bash", "-ec", script}, {.folder = folder.path(),
+                                                            .environment = {{"GIT_COMMITTER_DATE", date},
+                                                                            {"GIT_CONFIG_GLOBAL", "/dev/null"},
+                                                                            {"GIT_AUTHOR_NAME", "x"},
+                                                                            {"GIT_AUTHOR_EMAIL", "x@x.org"},
+                                                                            {"GIT_COMMITTER_NAME", "x"},
+                                                                            {"GIT_COMMITTER_EMAIL", "x@x.org"}}});
+        return result;
+    };
+    const auto commit = [&](const std::string& student, const std::string& text, const std::string& date) {
+        folder.write(student + "/" + shader, text);
+        const Result result = in("git init -q -b trunk " + student + "; cd " + student +
+                                     "; git add -A; git commit -q -m x; git clone -q --bare . ../" + student +
+                                     ".git 2>/dev/null || git push -q ../" + student + ".git trunk",
+                                 date);
+        EXPECT_EQ(result.code, 0) << result.err;
+    };
+    commit("jane", "first", "2027-03-01T10:00:00Z");
+    commit("jane", "last", "2027-03-01T20:00:00Z");
+    commit("jane", "late", "2027-03-02T10:00:00Z");
+    commit("joe", "late", "2027-03-02T10:00:00Z");
+    // Kim has an old hand-in, and a hook and a filter that must not run.
+    folder.write("kim/.gitattributes", "* filter=evil\n");
+    commit("kim", "kim", "2027-02-28T10:00:00Z");
+    folder.write("kim.git/hooks/post-checkout", "#!/bin/sh\ntouch " + (folder.path() / "ran").string() + "\n");
+    folder.write("bo/readme.txt", "nothing");
+    EXPECT_EQ(in("git init -q bo; cd bo; git add -A; git commit -q -m x; git clone -q --bare . ../bo.git").code, 0);
+    std::string table = "student,url\r\n";
+    for (const char* student : {"jane", "joe", "kim", "bo", "ann"})
+        table += std::string(student) + "," + (folder.path() / student).string() + ".git\n";
+    folder.write("repositories.csv", table.substr(0, table.size() - 1));  // without a final line break
+
+    const Result collected = in("bash collect.sh repositories.csv 2027-03-02T00:00:00+01:00");
+    EXPECT_EQ(collected.code, 1) << "some have nothing";
+    EXPECT_TRUE(contains(collected.err, "joe: no commit before 2027-03-02T00:00:00+01:00")) << collected.err;
+    EXPECT_TRUE(contains(collected.err, "bo: no task file")) << collected.err;
+    EXPECT_TRUE(contains(collected.err, "ann: cannot fetch ")) << collected.err;
+    const auto handed_in = [&](const char* student) {
+        return read_submission(folder.path() / "submissions" / (std::string(student) + ".tar"), {shader}).files;
+    };
+    EXPECT_EQ(handed_in("jane"), (std::map<std::string, std::string>{{shader, "last"}}));
+    EXPECT_EQ(handed_in("kim").at(shader), "kim");
+    for (const char* student : {"joe", "bo", "ann"})
+        EXPECT_FALSE(fs::exists(folder.path() / "submissions" / (std::string(student) + ".tar"))) << student;
+    EXPECT_FALSE(fs::exists(folder.path() / "ran"));
+    const std::string times = read_file(folder.path() / "hand_ins.csv");
+    EXPECT_TRUE(contains(times, "student,handed_in\njane,2027-03-01T20:00:00")) << times;
+    EXPECT_FALSE(contains(times, "joe")) << times;
+
+    // A later deadline takes the later commits, from the repositories that are there.
+    const Result later = in("bash collect.sh repositories.csv 2027-03-03");
+    EXPECT_EQ(handed_in("jane").at(shader), "late") << later.err;
+    EXPECT_EQ(handed_in("joe").at(shader), "late") << later.err;
+    EXPECT_EQ(in("bash collect.sh repositories.csv").code, 2);
+    EXPECT_EQ(in("bash collect.sh repositories.csv someday").code, 2);
 }
 
 TEST(Grade, WrongUseIsOneClearLine) {
