@@ -244,7 +244,8 @@ private:
             } else
                 entry.hand_ins.push_back({lab->folder, options_.now, files});
         }
-        if (entry.kept.empty() || !entry.hand_ins.empty() || !is_known || options_.fresh) return;
+        if (entry.kept.empty() || !entry.hand_ins.empty() || !is_known) return;
+        if (options_.fresh && entry.kept.size() < entry.labs.size()) return;
         // Nothing else has changed, so the pages keep their pictures.
         SubmissionMark& mark = entry.mark = *earlier;
         mark.hash = submission.hash;
