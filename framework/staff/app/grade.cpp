@@ -374,10 +374,10 @@ public:
         options.words("PATH", grade_.paths, "submissions");
         options.value("-o", "FOLDER", grade_.output,
                       "folder for the results; unchanged submissions in it are not graded again");
-        options.value(
-            "--class", "FILE", grade_.class_file,
-            "class file: roster, labs that count, due dates (see labs/staff/README.md) [the last run's]; none: "
-            "without one");
+        options.value("--class", "FILE", grade_.class_file,
+                      "class file: roster, labs that count, due dates, late days, attempts (see labs/staff/README.md) "
+                      "[the last run's]; none: "
+                      "without one");
         options.values("--lab", "LAB", grade_.labs,
                        "grade only this lab; may be repeated [the labs whose files a submission has]");
         options.value(
