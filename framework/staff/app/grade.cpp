@@ -20,6 +20,7 @@
 #include "framework/staff/grade/mutation_test.h"
 #include "framework/staff/grade/self_test.h"
 #include "framework/staff/grade/slurm.h"
+#include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/summaries.h"
 
 namespace relief::app {
@@ -238,6 +239,7 @@ grade::SubmissionDone pages_into(const fs::path& folder) {
         for (const pages::PageFor reader : pages::page_readers)
             pages::write_page(folder / pages::page_file(mark.name, reader),
                               pages::student_page(mark, pictures, reader));
+        pages::write_pictures(folder / pages::pictures_file(mark.name), pages::export_pictures(pictures));
     };
 }
 
@@ -254,16 +256,17 @@ std::vector<std::string> words_for_jobs(const GradeArguments& arguments) {
     return words;
 }
 
-/// Copies the pages of graded parts from their own folders into `folder`.
+/// Copies the pages and pictures of graded parts from their own folders into `folder`.
 void bring_pages_of_parts(const grade::ClassReport& report, const fs::path& folder) {
     for (const fs::path& part : grade::class_parts(folder))
         if (part != folder)
             for (const grade::SubmissionMark& mark : report.marks)
-                for (const pages::PageFor reader : pages::page_readers)
-                    if (const fs::path page = pages::page_file(mark.name, reader);
-                        fs::exists(part / page) &&
+                for (const fs::path& file :
+                     {pages::page_file(mark.name, pages::PageFor::instructor),
+                      pages::page_file(mark.name, pages::PageFor::student), pages::pictures_file(mark.name)})
+                    if (fs::exists(part / file) &&
                         fs::exists(part / "results" / (grade::file_name_of(mark.name) + ".json")))
-                        pages::write_page(folder / page, read_file(part / page));
+                        pages::write_page(folder / file, read_file(part / file));
 }
 
 /// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first, so that a mistake in
@@ -396,10 +399,10 @@ public:
         options.words("PATH", grade_.paths, "submissions");
         options.value("-o", "FOLDER", grade_.output,
                       "folder for the results; unchanged submissions in it are not graded again");
-        options.value(
-            "--class", "FILE", grade_.class_file,
-            "class file: roster, labs that count, due dates (see labs/staff/README.md) [the last run's]; none: "
-            "without one");
+        options.value("--class", "FILE", grade_.class_file,
+                      "class file: roster, labs that count, due dates, late days, attempts (see labs/staff/README.md) "
+                      "[the last run's]; none: "
+                      "without one");
         options.values("--lab", "LAB", grade_.labs,
                        "grade only this lab; may be repeated [the labs whose files a submission has]");
         options.value(

@@ -9,8 +9,9 @@ namespace {
 
 const decltype(staff_info)::Provided told(staff_info, [] {
     const grade::IsolationReport isolation = grade::probe_isolation();
-    return fmt::format("grading  submissions run with {}, and system calls are filtered{}\n",
-                       grade::name_of(isolation.level), isolation.reason.empty() ? "" : "; " + isolation.reason);
+    return fmt::format("grading  submissions run with {}, and system calls are filtered{}\n{}",
+                       grade::name_of(isolation.level), isolation.reason.empty() ? "" : "; " + isolation.reason,
+                       isolation.remedy);
 });
 
 }  // namespace

@@ -17,6 +17,8 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
+#include "framework/staff/grade/class_file.h"
+#include "framework/staff/grade/hand_in_log.h"
 #include "framework/staff/grade/progress.h"
 
 namespace relief::grade {
@@ -32,6 +34,8 @@ struct Entry {
     fs::path path;
     std::string name, hash;
     std::vector<const LabEntry*> labs;
+    std::map<std::string, LabMark> kept;  ///< earlier marks of labs beyond the limit of hand-ins, by folder
+    std::vector<GradedHandIn> hand_ins;   ///< what grading adds to the log
     SubmissionMark mark;
     bool done = false;
 };
@@ -81,6 +85,11 @@ private:
         course_ = sha256(stage_->hash() + setup_.seed + (setup_.renderer.pinned ? "" : " unpinned"));
         for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
         make_folder(options_.output / "results");
+        if (const fs::path file = class_file_of(options_.output); !file.empty()) {
+            const ClassFile policy = read_class_file(file, options_.output);
+            hand_ins_per_day_ = policy.hand_ins_per_day;
+            utc_offset_ = policy.utc_offset;
+        }
     }
 
     void find_seed() {
@@ -136,6 +145,7 @@ private:
             entry.hash = submission.hash;
             entry.labs = labs_of(submission);
             entry.done = take_over(entry);
+            if (!entry.done) apply_limit(entry, submission);
             report_.taken_over += entry.done;
         }
         for (const std::string& name : report_.doubled)
@@ -155,7 +165,13 @@ private:
         for (size_t i = size_t(options_.shard.index); i < roster.submissions.size();
              i += size_t(options_.shard.count)) {
             const Roster::One& one = roster.submissions[i];
-            Entry entry{.path = one.path, .name = one.name, .hash = one.hash, .labs = {}, .mark = {}};
+            Entry entry{.path = one.path,
+                        .name = one.name,
+                        .hash = one.hash,
+                        .labs = {},
+                        .kept = {},
+                        .hand_ins = {},
+                        .mark = {}};
             if (auto mark = result_of(options_.output, one.name, course_)) {
                 entry.mark = std::move(*mark);
                 entry.done = true;
@@ -167,6 +183,7 @@ private:
                     continue;
                 }
                 entry.labs = labs_of(submission);
+                apply_limit(entry, submission);
             }
             entries_.push_back(std::move(entry));
         }
@@ -192,7 +209,10 @@ private:
     bool take_over(Entry& entry) const {
         if (options_.fresh || entry.hash.empty()) return false;
         auto mark = result_of(options_.output, entry.name, course_);
-        const auto is_same = [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; };
+        // Another day may allow what the limit refused.
+        const auto is_same = [](const LabMark& one, const LabEntry* lab) {
+            return one.lab == lab->folder && one.kept.empty();
+        };
         if (!mark || mark->hash != entry.hash || (!options_.trust && mark->isolation == name_of(Isolation::limits)) ||
             !std::equal(mark->labs.begin(), mark->labs.end(), entry.labs.begin(), entry.labs.end(), is_same))
             return false;
@@ -200,11 +220,52 @@ private:
         return true;
     }
 
+    /// Applies the limit of hand-ins to the labs of a submission. A lab whose files are those that were graded last is
+    /// no new hand-in. A lab beyond the limit keeps its earlier mark; without one it is graded.
+    void apply_limit(Entry& entry, const Submission& submission) {
+        if (hand_ins_per_day_ == 0) return;
+        const std::vector<GradedHandIn> log = read_hand_in_log(options_.output, entry.name);
+        auto earlier = earlier_marks(options_.output, entry.name, course_);
+        if (earlier && !options_.trust && earlier->isolation == name_of(Isolation::limits)) earlier.reset();
+        bool is_known = earlier.has_value();  // whether each lab has a mark of an earlier run
+        for (const LabEntry* lab : entry.labs) {
+            const LabMark* const before = earlier ? earlier->lab(lab->folder) : nullptr;
+            is_known &= before != nullptr;
+            if (!has_file_of(submission, *lab)) continue;
+            const std::string files = hash_of_files(submission, task_files(manifests_.at(lab->folder)));
+            const GradedHandIn* const last = last_hand_in(log, lab->folder);
+            if (last && last->files == files) continue;
+            if (before && hand_ins_on_day(log, lab->folder, options_.now, utc_offset_) >= hand_ins_per_day_) {
+                LabMark& kept = entry.kept[lab->folder] = *before;
+                kept.kept = fmt::format(
+                    "the last hand-in is not graded, because of the limit of {} on {}; this is the mark of an earlier "
+                    "one",
+                    hand_ins_per_day_, moment_text(options_.now, utc_offset_).substr(0, 10));
+            } else
+                entry.hand_ins.push_back({lab->folder, options_.now, files});
+        }
+        if (entry.kept.empty() || !entry.hand_ins.empty() || !is_known) return;
+        if (options_.fresh && entry.kept.size() < entry.labs.size()) return;
+        // Nothing else has changed, so the pages keep their pictures.
+        SubmissionMark& mark = entry.mark = *earlier;
+        mark.hash = submission.hash;
+        mark.ignored = submission.ignored;
+        mark.ignored_count = submission.ignored_count;
+        mark.labs.clear();
+        for (const LabEntry* lab : entry.labs)
+            mark.labs.push_back(entry.kept.contains(lab->folder) ? entry.kept.at(lab->folder)
+                                                                 : *earlier->lab(lab->folder));
+        write_file_to_disk(result_file(entry), to_json(mark));
+        entry.done = true;
+    }
+
     void prepare() {
         std::vector<const LabEntry*> needed;
         for (const Entry& entry : entries_)
             for (const LabEntry* lab : entry.labs)
-                if (!entry.done && std::find(needed.begin(), needed.end(), lab) == needed.end()) needed.push_back(lab);
+                if (!entry.done && !entry.kept.contains(lab->folder) &&
+                    std::find(needed.begin(), needed.end(), lab) == needed.end())
+                    needed.push_back(lab);
         Progress progress(int(needed.size()));
         for (const LabEntry* lab : needed) {
             progress.next("the solution of lab " + lab->two_digits());
@@ -249,10 +310,16 @@ private:
         mark.ignored = submission.ignored;
         mark.ignored_count = submission.ignored_count;
         std::vector<CheckPictures> pictures;
+        // Logged first, so that a killed run does not give a hand-in away.
+        log_hand_ins(options_.output, entry.name, entry.hand_ins, utc_offset_);
         for (const LabEntry* lab : entry.labs)
-            mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission, pictures));
+            if (const auto kept = entry.kept.find(lab->folder); kept != entry.kept.end())
+                mark.labs.push_back(kept->second);
+            else
+                mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission, pictures));
         mark.seconds = seconds_since(begin);
         if (done_) done_(mark, pictures);
+        if (hand_ins_per_day_ > 0) keep_marks(options_.output, mark);
         entry.done = true;
         const std::lock_guard lock(mutex_);
         for (const LabMark& lab : mark.labs) report_.times.add(lab.times);
@@ -292,6 +359,8 @@ private:
     std::optional<Stage> stage_;
     std::string course_, course_before_;            ///< hashes of this run and of the previous class.json
     std::map<std::string, double> figures_before_;  ///< in the previous class.json
+    int hand_ins_per_day_ = 0;                      ///< 0: any number
+    UtcOffset utc_offset_{0};
     std::map<std::string, Manifest> manifests_;
     std::vector<Entry> entries_;
     std::map<std::string, std::unique_ptr<LabGrader>> graders_;
@@ -309,6 +378,8 @@ std::string new_seed() {
 
 IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();
+    if (isolation.level == Isolation::limits && !trust && !isolation.remedy.empty())
+        print_note(isolation.remedy.substr(0, isolation.remedy.size() - 1));
     if (isolation.level == Isolation::limits && !trust)
         throw Error(
             fmt::format("submissions cannot be isolated on this machine: {}. With --trust they run anyway, "

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/core/base/descriptor.h"
+#include "framework/staff/grade/moment.h"
 #include "framework/staff/grade/results.h"
 #include "framework/staff/grade/roster.h"
 
@@ -25,6 +26,8 @@ struct ClassOptions {
     /// a random one.
     GradeSetup setup;
     Shard shard;  ///< only these submissions
+    /// The day of this moment counts for the limit of hand-ins in the class file.
+    Moment now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 };
 
 struct ClassReport {
@@ -62,7 +65,8 @@ using SubmissionDone = std::function<void(const SubmissionMark&, const std::vect
 /// UsageError as grade_class() does.
 void enlist_class(const ClassOptions& options);
 
-/// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. Throws
+/// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. If the
+/// class file of `output` limits hand-ins, a lab beyond the limit keeps its earlier mark, see hand_in_log.h. Throws
 /// UsageError if there are no submissions, or for a shard without a seed. Throws Error if a lab's own solution fails on
 /// this machine, or if `keep_roster` is set and class.json is of another course. Propagates exceptions of `done`.
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});

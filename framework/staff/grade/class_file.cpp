@@ -56,6 +56,7 @@ public:
         if (!roster.empty()) read_roster_table(beside(root, "roster", roster));
         for (Table& table : root.tables("student")) read_student(table);
         if (auto late = root.table("late")) read_late(*late);
+        if (auto attempts = root.table("attempts")) read_attempts(*attempts);
         for (Table& table : root.tables("extension")) read_extension(table);
         root.read("hand_ins", hand_ins);
         if (!hand_ins.empty()) read_hand_ins(beside(root, "hand_ins", hand_ins));
@@ -112,6 +113,17 @@ private:
         table.read("grace_hours", class_.late.grace_hours, 0, 1000);
         table.read("percent_per_day", class_.late.percent_per_day, 0, 100);
         table.read("floor_percent", class_.late.floor_percent, 0, 100);
+        table.read("bank_days", class_.late.bank_days, 1, 366);
+        if (table.has("bank_days_per_lab") && class_.late.bank_days == 0)
+            table.fail("bank_days_per_lab", "'bank_days_per_lab' needs 'bank_days', the days of the whole term");
+        class_.late.bank_days_per_lab = class_.late.bank_days;
+        table.read("bank_days_per_lab", class_.late.bank_days_per_lab, 1, class_.late.bank_days);
+        table.finish();
+    }
+
+    void read_attempts(Table& table) {
+        if (!table.has("per_day")) table.fail("[attempts] must have 'per_day'");
+        table.read("per_day", class_.hand_ins_per_day, 1, 1000);
         table.finish();
     }
 
@@ -260,6 +272,8 @@ ClassFile read_class_file(const fs::path& file, const fs::path& results) {
     policy.adjustments = read_adjustments(adjustments);
     return policy;
 }
+
+bool has_limits(const ClassFile& policy) { return policy.late.bank_days > 0 || policy.hand_ins_per_day > 0; }
 
 fs::path class_file_of(const fs::path& results) {
     std::error_code unknown;

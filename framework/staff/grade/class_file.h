@@ -31,6 +31,8 @@ struct LateRule {
     double grace_hours = 0;      ///< time after the due date during which nothing is late
     double percent_per_day = 0;  ///< percentage lost for each started day after the due date
     double floor_percent = 0;    ///< lower bound of the remaining percentage
+    int bank_days = 0;           ///< late days of the whole term that cost nothing
+    int bank_days_per_lab = 0;   ///< upper bound of these days in one lab
 };
 
 struct Extension {
@@ -58,6 +60,7 @@ struct ClassFile {
     std::vector<Student> students;  ///< the roster; empty: no roster
     UtcOffset utc_offset{0};        ///< for showing times
     LateRule late;
+    int hand_ins_per_day = 0;  ///< graded hand-ins per student, lab and day; 0: any number
     std::vector<Extension> extensions;
     std::vector<HandIn> hand_ins;
     std::vector<Adjustment> adjustments;
@@ -71,6 +74,9 @@ struct ClassFile {
 /// Throws Error with file and line for an unknown key, lab or task, an invalid date, a duplicate student or identifier,
 /// and a student who is not on the roster.
 ClassFile read_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
+
+/// Returns whether the class has late days or a limit of hand-ins, so that a table says what was used.
+bool has_limits(const ClassFile& policy);
 
 /// Returns the class file kept for a folder of results, or an empty path. Throws UsageError if it no longer exists.
 std::filesystem::path class_file_of(const std::filesystem::path& results);

@@ -100,6 +100,28 @@ std::string sentence(const CheckMark& check) {
     return (check.hidden ? check.found : found_for_students(check)) + look_at(check);
 }
 
+/// Returns the pictures of a check that its student may see: it failed, and neither it nor its view is hidden.
+std::vector<const ExportPicture*> pictures_of(const LabMark& lab, const TaskMark& task, const CheckMark& check,
+                                              const std::vector<ExportPicture>& pictures) {
+    std::vector<const ExportPicture*> shown;
+    if (check.outcome == check::Outcome::passed || check.hidden || !check.view.empty()) return shown;
+    for (const ExportPicture& one : pictures)
+        if (one.lab == lab.lab && one.task == task.id && one.check == check.name) shown.push_back(&one);
+    return shown;
+}
+
+/// Returns HTML: the text as it is, and the pictures below it.
+std::string with_pictures(const std::string& text, const std::vector<const ExportPicture*>& pictures) {
+    std::string html =
+        "<pre style=\"white-space: pre-wrap\">" + escaped_markup(printable_lines(text, 4000)) + "</pre>\n";
+    for (const ExportPicture* one : pictures)
+        html += fmt::format(
+            "<figure style=\"display: inline-block; margin: 0 8px 8px 0\"><img alt=\"{0}\" src=\"{1}\">"
+            "<figcaption>{0}</figcaption></figure>\n",
+            escaped_markup(one->label), escaped_markup(one->uri));
+    return html;
+}
+
 /// Returns the adjustments by people and rules, one line each.
 std::string remarks_text(const Standing& standing) {
     std::string text;
@@ -139,6 +161,8 @@ std::string to_csv(const ClassStanding& standing) {
     Cells head{"submission", "state", "points", "of"};
     if (has_roster) head.insert(head.end(), {"name", "email", "login", "canvas_id", "sis_id", "section"});
     head.insert(head.end(), {"by the checks", "adjusted by", "late by", "remarks"});
+    if (standing.policy.late.bank_days > 0)
+        head.push_back(fmt::format("late days used (of {})", standing.policy.late.bank_days));
     for (const LabStanding& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
     for (const LabStanding& lab : labs)
         for (const TaskStanding& task : lab.tasks) head.push_back(fmt::format("{} (of {})", task.id, task.of));
@@ -153,6 +177,7 @@ std::string to_csv(const ClassStanding& standing) {
                 cells.push_back(cell(word));
         cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
                                    points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
+        if (standing.policy.late.bank_days > 0) cells.push_back(std::to_string(one.bank_used));
         for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? check::points_text(lab.points()) : "");
         for (const LabStanding& lab : one.labs)
             for (const TaskStanding& task : lab.tasks)
@@ -160,6 +185,22 @@ std::string to_csv(const ClassStanding& standing) {
                     !lab.marked || (!lab.handed_in && task.adjusted == 0) ? "" : check::points_text(task.adjusted));
         text += csv_line(cells);
     }
+    return text;
+}
+
+std::string to_late_days(const ClassStanding& standing) {
+    const UtcOffset offset = standing.policy.utc_offset;
+    std::string text = csv_line(Cells{"submission", "lab", "due", "handed in", "days late", "cost nothing",
+                                      "cost points", "used in the term", "left in the term", "hand-ins graded",
+                                      "last graded on", "graded on that day", "remark"});
+    for (const Standing& one : standing.students)
+        for (const LabStanding& lab : one.labs)
+            text += csv_line(
+                Cells{cell(one.student.student), number_of_lab(lab.lab), lab.due ? moment_text(*lab.due, offset) : "",
+                      lab.handed_in_at ? moment_text(*lab.handed_in_at, offset) : "", std::to_string(lab.days_late),
+                      std::to_string(lab.bank_days), std::to_string(lab.days_late - lab.bank_days),
+                      std::to_string(one.bank_used), std::to_string(one.bank_days - one.bank_used),
+                      std::to_string(lab.hand_ins), lab.last_day, std::to_string(lab.on_last_day), cell(lab.kept)});
     return text;
 }
 
@@ -228,7 +269,7 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
     return text;
 }
 
-std::string to_prairielearn(const Standing& standing) {
+std::string to_prairielearn(const Standing& standing, const std::vector<ExportPicture>& pictures) {
     constexpr size_t max_bytes = 1'000'000;
     if (!standing.is_marked())  // not counted as an attempt
         return dump({{"gradable", false},
@@ -254,15 +295,20 @@ std::string to_prairielearn(const Standing& standing) {
                          {"max_points", points},
                          {"message", std::string(name_of(check.outcome))},
                          {"output", printable_lines(found_for_students(check) + look_at(check), 4000)}});
+                    for (const ExportPicture* one : pictures_of(lab, task, check, pictures))
+                        json["tests"].back()["images"].push_back({{"label", one->label}, {"url", one->uri}});
                 }
     std::string text = dump(json);
+    if (text.size() <= max_bytes) return text;
+    for (ordered_json& test : json["tests"]) test.erase("images");
+    text = dump(json);
     if (text.size() <= max_bytes) return text;
     for (ordered_json& test : json["tests"]) test.erase("output");
     json["output"] = "There is more on the page that your instructor has.";
     return dump(json);
 }
 
-std::string to_gradescope(const Standing& standing) {
+std::string to_gradescope(const Standing& standing, const std::vector<ExportPicture>& pictures) {
     // Sets plain text: otherwise Gradescope would interpret markup in a submission's output.
     ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
     if (!standing.mark || !standing.is_marked()) {  // without a score, Gradescope reports that grading failed
@@ -275,8 +321,9 @@ std::string to_gradescope(const Standing& standing) {
     ordered_json tests = ordered_json::array();
     const auto add = [&](const std::string& name, const LabMark& lab, ordered_json more) {
         ordered_json test = {{"name", name}, {"name_format", "text"}};
+        test.update({{"output_format", "text"}});
         test.update(more);
-        test.update({{"output_format", "text"}, {"tags", {lab.lab}}});
+        test.update({{"tags", {lab.lab}}});
         tests.push_back(std::move(test));
     };
     for (const LabMark& lab : mark.labs)
@@ -291,6 +338,9 @@ std::string to_gradescope(const Standing& standing) {
                      {"status", passed ? "passed" : "failed"},
                      {"output", fmt::format("{}: {}", name_of(check.outcome), sentence(check))},
                      {"visibility", check.hidden ? "hidden" : "visible"}});
+                if (const auto shown = pictures_of(lab, task, check, pictures); !shown.empty())
+                    tests.back().update(
+                        {{"output", with_pictures(tests.back()["output"], shown)}, {"output_format", "html"}});
             }
             if (!task.hint.empty())
                 add(fmt::format("{} {}: a hint", task.id, task.title), lab,
@@ -345,7 +395,11 @@ std::string to_table(const ClassStanding& standing) {
     if (!standing.students.empty())
         for (const LabStanding& lab : standing.students.front().labs)
             text += fmt::format("  {:>7}", "lab " + number_of_lab(lab.lab));
-    text += "       all\n";
+    const bool has_bank = standing.policy.late.bank_days > 0, is_limited = standing.policy.hand_ins_per_day > 0;
+    text += "       all";
+    if (has_bank) text += "  late days";
+    if (is_limited) text += "  hand-ins";
+    text += "\n";
     for (const Standing& one : standing.students) {
         text += fmt::format("{:<{}}", one.student.student, width);
         for (const LabStanding& lab : one.labs)
@@ -355,11 +409,20 @@ std::string to_table(const ClassStanding& standing) {
                                                : fmt::format("{}/{}", check::points_text(lab.points()), lab.of()));
         text += fmt::format("  {:>8}",
                             one.is_marked() ? fmt::format("{}/{}", check::points_text(one.points()), one.of()) : "?");
+        if (has_bank) text += fmt::format("  {:>9}", fmt::format("{}/{}", one.bank_used, one.bank_days));
+        if (is_limited) {
+            int graded = 0;
+            for (const LabStanding& lab : one.labs) graded += lab.hand_ins;
+            text += fmt::format("  {:>8}", graded);
+        }
         if (one.state() != "graded") text += "  " + one.state();
         if (one.is_marked() && one.adjusted() != one.graded())
             text += fmt::format("  adjusted by {}", check::points_text(one.adjusted() - one.graded()));
         if (one.is_marked() && one.points() != one.adjusted())
             text += fmt::format("  late: {} less", check::points_text(one.adjusted() - one.points()));
+        for (const LabStanding& lab : one.labs)
+            if (!lab.kept.empty())
+                text += fmt::format("  lab {}: beyond the limit of hand-ins", number_of_lab(lab.lab));
         text += "\n";
     }
     return text;

@@ -15,6 +15,10 @@ namespace relief::grade {
 /// each task before lateness. Column names contain the maxima. Formulas are disabled: see defused().
 std::string to_csv(const ClassStanding& standing);
 
+/// Returns late_days.csv: a line for each student and lab, with the late days, those that the bank of the term pays and
+/// that it has left, and the graded hand-ins.
+std::string to_late_days(const ClassStanding& standing);
+
 /// Returns a gradebook for import into Canvas, with a column for each assigned lab, named as the class file says.
 /// Canvas finds students by ID, SIS user ID or SIS login ID. A cell without points leaves the grade unchanged. Source:
 /// Instructure, Canvas Instructor Guide, "How do I import grades in the Gradebook?", and the importer of
@@ -28,13 +32,22 @@ std::string to_canvas(const ClassStanding& standing);
 /// (mod/assign/feedback/offline).
 std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std::vector<std::string>& notes);
 
+/// A picture of a failed check, which its student may see: see pages::export_pictures().
+struct ExportPicture {
+    std::string lab, task, check;
+    std::string label;  ///< "yours", "expected", "where they differ"
+    std::string uri;    ///< a PNG as data:image/png;base64,
+};
+
 /// Returns PrairieLearn's results.json of an external grader. The student reads all of it, so it reveals only the
-/// outcome of a hidden check. At most 1 MB. Source: PrairieLearn, "External grading", "Grading results".
-std::string to_prairielearn(const Standing& standing);
+/// outcome of a hidden check, and has no picture of a hidden check or view. At most 1 MB: without pictures if they make
+/// it larger. Source: PrairieLearn, "External grading", "Grading results".
+std::string to_prairielearn(const Standing& standing, const std::vector<ExportPicture>& pictures = {});
 
 /// Returns Gradescope's results.json. Gradescope hides hidden checks from the student, and then shows no total. Source:
-/// Gradescope, "Autograder Specifications", "Output format".
-std::string to_gradescope(const Standing& standing);
+/// Gradescope, "Autograder Specifications", "Output format". Pictures stand in the HTML of their check, whose text is
+/// escaped; everything else is plain text.
+std::string to_gradescope(const Standing& standing, const std::vector<ExportPicture>& pictures = {});
 
 /// Returns JUnit XML with a suite for each submission and a case for each check, as Ant's JUnitReport task and Jenkins
 /// read it. `written` is the time that JUnit requires, since results have none. Sources: windyroad/JUnit-Schema (Ant);

@@ -59,6 +59,8 @@ struct LabMark {
     std::vector<TaskMark> tasks = {};
     std::string log = {};  ///< the compiler's messages, or empty
     MarkTimes times = {};
+    /// Why a newer hand-in was not graded, so that this is the mark of an earlier one; or empty.
+    std::string kept = {};
 
     double points() const;
     int max_points() const;

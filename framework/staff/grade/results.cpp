@@ -73,6 +73,7 @@ ordered_json as_json(const LabMark& lab) {
         {"log", lab.log},
         {"tasks", ordered_json::array()}};
     for (const TaskMark& task : lab.tasks) json["tasks"].push_back(as_json(task));
+    if (!lab.kept.empty()) json["kept"] = lab.kept;
     return json;
 }
 LabMark lab_from(const ordered_json& json) {
@@ -80,7 +81,8 @@ LabMark lab_from(const ordered_json& json) {
     LabMark lab{.lab = json.at("lab"),
                 .tasks = {},
                 .log = json.at("log"),
-                .times = {seconds.at("compile"), seconds.at("draw"), seconds.at("compare")}};
+                .times = {seconds.at("compile"), seconds.at("draw"), seconds.at("compare")},
+                .kept = json.value("kept", "")};
     for (const ordered_json& task : json.at("tasks")) lab.tasks.push_back(task_from(task));
     return lab;
 }

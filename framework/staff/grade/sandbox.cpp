@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
 #include "framework/course/check/drawing.h"
 #include "framework/staff/grade/control_group.h"
 #include "framework/staff/grade/system_calls.h"
@@ -16,6 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+/// Allows bubblewrap, and no other program, to make namespaces of users.
+constexpr const char* apparmor_profile = R"(abi <abi/4.0>,
+include <tunables/global>
+
+profile relief-bwrap /usr/bin/bwrap flags=(unconfined) {
+  userns,
+}
+)";
 
 /// Processes of bubblewrap itself, which a control group counts too.
 constexpr int wrapping_processes = 3;
@@ -75,9 +85,32 @@ const char* name_of(Isolation isolation) {
     return names[int(isolation)];
 }
 
+IsolationReport refused_namespaces(const std::string& said, const fs::path& root) {
+    IsolationReport report{Isolation::limits, "this system does not let bubblewrap make namespaces (" + said + ")"};
+    std::error_code ignored;
+    const fs::path setting = root / "proc/sys/kernel/apparmor_restrict_unprivileged_userns";
+    const bool by_apparmor = fs::exists(setting, ignored) && read_file(setting).starts_with('1'),
+               in_container =
+                   fs::exists(root / ".dockerenv", ignored) || fs::exists(root / "run/.containerenv", ignored);
+    if (in_container) {
+        report.reason += ": this container may not make them";
+        report.remedy =
+            "start the container with --security-opt seccomp=unconfined --security-opt apparmor=unconfined\n";
+    }
+    if (by_apparmor) {
+        report.reason += in_container ? ", nor does AppArmor on its host allow them" : ": AppArmor forbids them";
+        report.remedy += fmt::format(
+            "{}save the lines below as /etc/apparmor.d/relief-bwrap, then: "
+            "sudo apparmor_parser -r /etc/apparmor.d/relief-bwrap\n{}",
+            in_container ? "and on the host " : "", apparmor_profile);
+    }
+    return report;
+}
+
 IsolationReport probe_isolation() {
     std::error_code ignored;
-    if (std::getenv("RELIEF_NO_NAMESPACES")) return {Isolation::limits, "RELIEF_NO_NAMESPACES is set"};
+    if (const char* const root = std::getenv("RELIEF_NO_NAMESPACES"))
+        return refused_namespaces("RELIEF_NO_NAMESPACES is set", root);
     if (!fs::exists("/usr/bin/bwrap", ignored))
         return {Isolation::limits, "there is no /usr/bin/bwrap: install the Debian package bubblewrap"};
     const auto problem = [](Isolation level) -> std::string {
@@ -85,8 +118,7 @@ IsolationReport probe_isolation() {
             run_sandboxed({.command = {"/usr/bin/true"}, .limits = {.wall = 10}}, {.isolation = level});
         return tried.succeeded() ? "" : tried.errors.substr(0, tried.errors.find('\n'));
     };
-    if (const std::string reason = problem(Isolation::namespaces); !reason.empty())
-        return {Isolation::limits, "this system does not let bubblewrap make namespaces (" + reason + ")"};
+    if (const std::string reason = problem(Isolation::namespaces); !reason.empty()) return refused_namespaces(reason);
     const std::string reason = problem(Isolation::groups);
     return {reason.empty() ? Isolation::groups : Isolation::namespaces, reason};
 }

@@ -20,11 +20,18 @@ const char* name_of(Isolation isolation);
 
 struct IsolationReport {
     Isolation level = Isolation::limits;
-    std::string reason;  ///< why the level is not higher, as part of a sentence; empty for `groups`
+    std::string reason;       ///< why the level is not higher, as part of a sentence; empty for `groups`
+    std::string remedy = {};  ///< lines that say how to raise it, with files to save; or empty
 };
 /// Tests whether namespaces and control groups work here; takes a few milliseconds. Returns `limits` if the environment
-/// has RELIEF_NO_NAMESPACES (for tests: it can lower the level, never raise it).
+/// has RELIEF_NO_NAMESPACES (for tests: it can lower the level, never raise it). Its value is then the root folder for
+/// refused_namespaces().
 IsolationReport probe_isolation();
+
+/// Explains that bubblewrap may make no namespaces. `said` is its message. Finds the cause in files under `root`: the
+/// setting of AppArmor (Ubuntu since 23.10: kernel.apparmor_restrict_unprivileged_userns), and the marks of Docker and
+/// Podman. Source: Ubuntu 24.04 release notes, "Unprivileged user namespace restrictions".
+IsolationReport refused_namespaces(const std::string& said, const std::filesystem::path& root = "/");
 
 /// The files that a command may see, and the processes that it may start.
 struct Confinement {

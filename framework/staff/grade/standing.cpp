@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "framework/core/base/text.h"
+#include "framework/staff/grade/hand_in_log.h"
 #include "framework/staff/grade/strangers_text.h"
 
 namespace relief::grade {
@@ -69,6 +70,7 @@ public:
             for (const Adjustment& one : adjusted->second)
                 if (tasks_.contains(one.task)) standing.adjustments.push_back(one);
         for (const CountedLab& lab : labs_) standing.labs.push_back(of(lab, key, mark, standing.adjustments));
+        use_bank(standing, key);
         return standing;
     }
 
@@ -88,7 +90,9 @@ private:
                         .tasks = {},
                         .due = {},
                         .handed_in_at = {},
-                        .extension_note = {}};
+                        .extension_note = {},
+                        .kept = graded ? graded->kept : "",
+                        .last_day = {}};
         lab.marked = !graded || graded->graded();
         for (const TaskInfo& info : counted.tasks) {
             TaskStanding task{.id = info.id, .title = info.title, .of = info.points};
@@ -127,6 +131,36 @@ private:
         lab.handed_in_at = time->second;
         lab.days_late = days_late(*lab.due, time->second, policy_.late.grace_hours);
         lab.late_share = late_share(lab.days_late, policy_.late);
+    }
+
+    /// Lets the bank pay for late days, in the order of the due dates, so that a later lab changes no earlier mark. An
+    /// assigned lab that this run does not count uses days if hand_ins.csv has a time of its own for it.
+    void use_bank(Standing& standing, const std::string& student) const {
+        standing.bank_days = policy_.late.bank_days;
+        if (standing.bank_days == 0) return;
+        std::vector<const AssignedLab*> by_date;
+        for (const AssignedLab& lab : policy_.labs)
+            if (lab.due) by_date.push_back(&lab);
+        std::stable_sort(by_date.begin(), by_date.end(),
+                         [](const AssignedLab* a, const AssignedLab* b) { return *a->due < *b->due; });
+        for (const AssignedLab* assigned : by_date) {
+            const auto counted = std::find_if(standing.labs.begin(), standing.labs.end(),
+                                              [&](const LabStanding& lab) { return lab.lab == assigned->folder; });
+            LabStanding elsewhere{.lab = assigned->folder,
+                                  .handed_in = hand_ins_.contains({student, assigned->folder}),
+                                  .tasks = {},
+                                  .due = {},
+                                  .handed_in_at = {},
+                                  .extension_note = {},
+                                  .kept = {},
+                                  .last_day = {}};
+            if (counted == standing.labs.end()) add_lateness(elsewhere, student);
+            LabStanding& lab = counted == standing.labs.end() ? elsewhere : *counted;
+            lab.bank_days =
+                std::min({lab.days_late, policy_.late.bank_days_per_lab, standing.bank_days - standing.bank_used});
+            lab.late_share = late_share(lab.days_late - lab.bank_days, policy_.late);
+            standing.bank_used += lab.bank_days;
+        }
     }
 
     using OfLab = std::pair<std::string, std::string>;  // a student, and a lab or an empty text
@@ -173,7 +207,7 @@ bool Standing::is_marked() const {
 }
 bool Standing::is_changed() const {
     return !adjustments.empty() ||
-           std::any_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.days_late > 0; });
+           std::any_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.days_late > lab.bank_days; });
 }
 const LabStanding* Standing::lab(const std::string& folder) const {
     for (const LabStanding& one : labs)
@@ -196,11 +230,21 @@ std::vector<std::string> Standing::remarks(const std::string& lab) const {
                             [&](const TaskStanding& task) { return task.id == adjustment.task; }))
                 remarks.push_back(fmt::format("{}: {}{}: {}", adjustment.task, adjustment.points > 0 ? "+" : "",
                                               amount_of(adjustment.points, "point"), printable(adjustment.note, 1000)));
-        if (one.days_late > 0)
-            remarks.push_back(fmt::format("lab {}: {} late, {} % less", lab_number(one.lab),
-                                          amount_of(one.days_late, "day"), rounded(100 * (1 - one.late_share))));
+        if (one.days_late > 0) remarks.push_back(fmt::format("lab {}: {}", lab_number(one.lab), lateness_text(one)));
+        if (!one.kept.empty()) remarks.push_back(fmt::format("lab {}: {}", lab_number(one.lab), one.kept));
     }
+    if (lab.empty() && bank_used > 0)
+        remarks.push_back(fmt::format("late days of the term: {} of {} used", bank_used, bank_days));
     return remarks;
+}
+
+std::string lateness_text(const LabStanding& lab) {
+    std::string text = amount_of(lab.days_late, "day") + " late";
+    if (lab.bank_days > 0)
+        text += lab.bank_days == lab.days_late ? ", which cost nothing"
+                                               : fmt::format(", of which {} cost nothing", lab.bank_days);
+    if (lab.days_late > lab.bank_days) text += fmt::format(", {} % less", rounded(100 * (1 - lab.late_share)));
+    return text;
 }
 
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
@@ -218,11 +262,13 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     for (const Student& student : result.policy.students) known.insert(student.student);
     refuse_unknown_adjustments(result.policy, known, tasks);
     const ClassOf all(result.policy, std::move(labs));
-    std::vector<std::string> strangers, without_time, absent;
+    std::vector<std::string> strangers, without_time, absent, beyond;
     for (const SubmissionMark& mark : marks) {
         const Standing& standing = result.students.emplace_back(all.of(mark.name, &mark));
         if (!standing.on_roster) strangers.push_back(standing.student.student);
         if (ClassOf::lacks_time(standing)) without_time.push_back(standing.student.student);
+        if (std::any_of(standing.labs.begin(), standing.labs.end(), [](const auto& lab) { return !lab.kept.empty(); }))
+            beyond.push_back(standing.student.student);
     }
     for (const Student& student : result.policy.students)
         if (!names.contains(student.student)) {
@@ -238,10 +284,34 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     note(result.notes, nobody, "extension is for nobody who handed in", "extensions are for nobody who handed in");
     note(result.notes, absent, "student of the roster handed nothing in", "students of the roster handed nothing in");
     note(result.notes, strangers, "submission is not on the roster", "submissions are not on the roster");
+    note(result.notes, beyond, "submission is beyond the limit of hand-ins and keeps an earlier mark",
+         "submissions are beyond the limit of hand-ins and keep an earlier mark");
     if (!result.policy.hand_ins.empty())
         note(result.notes, without_time, "submission has no time in hand_ins and counts as in time",
              "submissions have no time in hand_ins and count as in time");
     return result;
+}
+
+std::string hand_ins_text(const LabStanding& lab) {
+    const std::string all = amount_of(lab.hand_ins, "hand-in") + " graded";
+    return lab.hand_ins == lab.on_last_day ? fmt::format("{}, on {}", all, lab.last_day)
+                                           : fmt::format("{}, {} of them on {}", all, lab.on_last_day, lab.last_day);
+}
+
+void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder) {
+    if (standing.policy.hand_ins_per_day == 0) return;
+    const UtcOffset offset = standing.policy.utc_offset;
+    for (Standing& one : standing.students) {
+        const std::vector<GradedHandIn> log = read_hand_in_log(folder, one.name);
+        for (LabStanding& lab : one.labs) {
+            const GradedHandIn* const last = last_hand_in(log, lab.lab);
+            if (!last) continue;
+            lab.hand_ins =
+                int(std::count_if(log.begin(), log.end(), [&](const auto& row) { return row.lab == lab.lab; }));
+            lab.last_day = moment_text(last->graded_at, offset).substr(0, 10);
+            lab.on_last_day = hand_ins_on_day(log, lab.lab, last->graded_at, offset);
+        }
+    }
 }
 
 Standing standing_of(const SubmissionMark& mark) {

@@ -27,7 +27,12 @@ struct LabStanding {
     int extension_days = 0;
     std::string extension_note;  ///< for instructors
     int days_late = 0;           ///< started days; 0: on time
+    int bank_days = 0;           ///< of these, days that the bank of the term pays
     double late_share = 1;       ///< share of the points that remains after lateness
+    std::string kept;            ///< see LabMark
+    int hand_ins = 0;            ///< graded hand-ins in the log, see add_hand_ins()
+    std::string last_day;        ///< "2027-03-01", the day of the last one
+    int on_last_day = 0;         ///< graded hand-ins on that day
 
     int of() const;
     double graded() const, adjusted() const;
@@ -42,6 +47,7 @@ struct Standing {
     bool is_waiting = false;               ///< handed in, but not graded yet
     std::vector<LabStanding> labs;         ///< the labs that count, the same for all students
     std::vector<Adjustment> adjustments;
+    int bank_days = 0, bank_used = 0;  ///< late days of the term that cost nothing; those used in all assigned labs
 
     int of() const;
     double graded() const, adjusted() const, points() const;
@@ -72,6 +78,15 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
 ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, ClassFile policy,
                              const std::vector<std::string>& only,
                              const std::set<std::string>& handed_in = {}) = delete;
+
+/// Returns "3 days late, of which 2 cost nothing, 10 % less".
+std::string lateness_text(const LabStanding& lab);
+
+/// Returns "5 hand-ins graded, 2 of them on 2027-03-01".
+std::string hand_ins_text(const LabStanding& lab);
+
+/// Reads the number of graded hand-ins of each lab from the logs in the folder of results.
+void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder);
 
 /// Returns the standing of a submission alone, without the class.
 Standing standing_of(const SubmissionMark& mark);

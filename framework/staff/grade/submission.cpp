@@ -175,6 +175,16 @@ std::string hash_of(const Submission& submission) {
 
 }  // namespace
 
+std::string hash_of_files(const Submission& submission, const std::set<std::string>& files) {
+    Submission part;
+    for (const std::string& file : files) {
+        if (const auto found = submission.files.find(file); found != submission.files.end()) part.files.insert(*found);
+        if (const auto found = submission.refused.find(file); found != submission.refused.end())
+            part.refused.insert(*found);
+    }
+    return hash_of(part);
+}
+
 std::string submission_name(const fs::path& path) {
     const fs::path plain = path.lexically_normal();
     std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();

@@ -35,4 +35,7 @@ std::string submission_name(const std::filesystem::path& path);
 /// and never throws because of the submission's content.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
 
+/// Returns a hash of those task files of a submission that are named in `files`.
+std::string hash_of_files(const Submission& submission, const std::set<std::string>& files);
+
 }  // namespace relief::grade

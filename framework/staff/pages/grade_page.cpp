@@ -226,6 +226,32 @@ Value times(const ClassCounts& counts) {
     return rows(std::move(list));
 }
 
+/// Returns the table of late days and graded hand-ins: a row for each student who used any.
+Value used_table(const grade::ClassStanding& standing) {
+    if (!grade::has_limits(standing.policy)) return {};
+    List students;
+    for (const grade::Standing& one : standing.students) {
+        List labs;
+        int graded = 0;
+        for (const grade::LabStanding& lab : one.labs) {
+            graded += lab.hand_ins;
+            const std::string number = "lab " + number_of(lab.lab) + ": ";
+            if (lab.days_late > 0) labs.push_back(number + grade::lateness_text(lab));
+            if (lab.hand_ins > 0) labs.push_back(number + grade::hand_ins_text(lab));
+            if (!lab.kept.empty()) labs.push_back(number + lab.kept);
+        }
+        if (labs.empty() && one.bank_used == 0) continue;
+        students.push_back(Fields{{"name", one.student.student},
+                                  {"used", one.bank_used},
+                                  {"left", one.bank_days - one.bank_used},
+                                  {"graded", graded},
+                                  {"labs", rows(std::move(labs))}});
+    }
+    return Fields{{"bank", standing.policy.late.bank_days > 0},
+                  {"limit", standing.policy.hand_ins_per_day > 0},
+                  {"students", rows(std::move(students))}};
+}
+
 }  // namespace
 
 std::string class_page(const grade::ClassReport& report) {
@@ -238,7 +264,7 @@ std::string class_page(const grade::ClassReport& report, const grade::ClassStand
     bool has_remarks = false;
     for (const grade::Standing& one : standing.students) {
         submissions.push_back(line_of(one));
-        has_remarks |= one.is_changed();
+        has_remarks |= !one.remarks().empty();
     }
     if (!standing.students.empty())
         for (const grade::LabStanding& lab : standing.students.front().labs)
@@ -256,6 +282,7 @@ std::string class_page(const grade::ClassReport& report, const grade::ClassStand
          {"is_long", standing.students.size() > 50},
          {"columns", std::move(columns)},
          {"has_remarks", has_remarks},
+         {"used", used_table(standing)},
          {"labs", labs_with_checks(counts)},
          {"submissions", std::move(submissions)},
          {"hardest", hardest_checks(counts)},

@@ -18,13 +18,18 @@ List reasons(const grade::LabStanding& lab, grade::UtcOffset offset, PageFor rea
     List list;
     if (!lab.marked) list.push_back("not graded yet");
     if (lab.marked && !lab.handed_in) list.push_back("nothing handed in");
-    if (lab.marked && lab.handed_in && (lab.adjusted() != lab.graded() || lab.days_late > 0))
+    if (lab.marked && lab.handed_in && (lab.adjusted() != lab.graded() || lab.days_late > lab.bank_days))
         list.push_back(check::points_text(lab.graded()) + " by the checks");
     if (lab.adjusted() != lab.graded()) list.push_back(check::points_text(lab.adjusted()) + " with adjustments");
-    if (lab.days_late > 0)
-        list.push_back(fmt::format("{} late: {} % less, {} of {}", amount_of(lab.days_late, "day"),
+    if (lab.days_late > lab.bank_days)
+        list.push_back(fmt::format("{} late: {}{} % less, {} of {}", amount_of(lab.days_late, "day"),
+                                   lab.bank_days > 0 ? amount_of(lab.bank_days, "day") + " at no cost, " : "",
                                    rounded(100 * (1 - lab.late_share)), check::points_text(lab.points()),
                                    check::points_text(lab.adjusted())));
+    else if (lab.days_late > 0)
+        list.push_back(grade::lateness_text(lab));
+    if (!lab.kept.empty()) list.push_back(lab.kept);
+    if (lab.hand_ins > 0) list.push_back(grade::hand_ins_text(lab));
     if (!lab.due) return list;
     std::string due = "due " + grade::moment_text(*lab.due, offset);
     if (lab.extension_days > 0) {
@@ -55,9 +60,13 @@ std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, P
         notes.push_back(Fields{{"task", one.task},
                                {"points", (one.points > 0 ? "+" : "") + amount_of(one.points, "point")},
                                {"note", grade::printable(one.note, 1000)}});
+    std::string late_days;
+    if (standing.bank_days > 0)
+        late_days = fmt::format("Late days used in this term: {} of {}", standing.bank_used, standing.bank_days);
     return render("framework/staff/pages/standing", {{"has_points", standing.is_marked() && standing.of() > 0},
                                                      {"points", check::points_text(standing.points())},
                                                      {"of", standing.of()},
+                                                     {"late_days", late_days},
                                                      {"labs", has_more ? rows(std::move(labs)) : Value()},
                                                      {"notes", rows(std::move(notes))}});
 }

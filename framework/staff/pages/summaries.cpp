@@ -10,6 +10,7 @@
 #include "framework/core/base/text.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/progress.h"
+#include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
 
@@ -81,6 +82,7 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     const std::vector<std::string> absent = left_out(policy, names, folder);
     names.insert(absent.begin(), absent.end());  // waiting for a mark, not 0 points
     grade::ClassStanding standing = grade::class_standing(report.marks, policy, labs_of(folder), names);
+    grade::add_hand_ins(standing, folder);
     if (!absent.empty())
         standing.notes.push_back(fmt::format(
             "{} handed in before, and this run does not name the submission, so there is no mark: {}. Name all of the "
@@ -89,8 +91,9 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const grade::Standing& one = standing.students[i];
         const std::string name = grade::file_name_of(one.name);
-        write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one));
-        write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one));
+        const std::vector<grade::ExportPicture> pictures = read_pictures(folder / pictures_file(one.name));
+        write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one, pictures));
+        write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one, pictures));
         write_file(folder / "surefire" / ("TEST-" + name + ".xml"), grade::to_surefire(one));
         for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
     });
@@ -101,6 +104,10 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
         write_file(folder / "canvas.csv", grade::to_canvas(standing));
     else
         fs::remove(folder / "canvas.csv");  // a stale file must not be uploaded
+    if (grade::has_limits(standing.policy))
+        write_file(folder / "late_days.csv", grade::to_late_days(standing));
+    else
+        fs::remove(folder / "late_days.csv");
     for (const grade::AssignedLab& lab : standing.policy.labs)
         if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");

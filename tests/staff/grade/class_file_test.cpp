@@ -5,6 +5,8 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
 #include "framework/staff/grade/csv.h"
+#include "framework/staff/grade/exports.h"
+#include "framework/staff/grade/hand_in_log.h"
 #include "framework/staff/grade/standing.h"
 #include "tests/support.h"
 
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 using Cells = std::vector<std::string>;
 
 const LabRegistration thirteen("13_displacement", nullptr), fourteen("14_adaptive_displacement", nullptr);
+const std::string lab_14 = "14_adaptive_displacement";
 constexpr int points_of_13 = 13, points_of_14 = 22;  // labs/*/lab.toml
 
 // ---- tables ----
@@ -169,9 +172,26 @@ TEST_F(ClassFiles, TheExampleOfTheGuideIsValid) {
     EXPECT_EQ(policy.adjustments.size(), 1u);
     EXPECT_EQ(policy.late.percent_per_day, 10);
     // The example has every key. Readers would have to guess a key that the guide omits.
-    for (const char* key :
-         {"utc_offset", "roster", "hand_ins", "adjustments", "[[assigned]]", "due", "canvas", "moodle", "[late]",
-          "grace_hours", "percent_per_day", "floor_percent", "[[extension]]", "days", "note", "[[student]]"})
+    for (const char* key : {"utc_offset",
+                            "roster",
+                            "hand_ins",
+                            "adjustments",
+                            "[[assigned]]",
+                            "due",
+                            "canvas",
+                            "moodle",
+                            "[late]",
+                            "grace_hours",
+                            "percent_per_day",
+                            "floor_percent",
+                            "bank_days",
+                            "bank_days_per_lab",
+                            "[attempts]",
+                            "per_day",
+                            "[[extension]]",
+                            "days",
+                            "note",
+                            "[[student]]"})
         EXPECT_TRUE(contains(block("toml"), key)) << key;
 }
 
@@ -220,6 +240,16 @@ TEST_F(ClassFiles, ErrorsAreOneLineWithTheirPlace) {
         {"hand_ins = \"lab.csv\"\n" + some_labs, "lab.csv:2: lab 14 is not assigned"},
         {"hand_ins = \"stranger.csv\"\n" + some_labs + "[late]\npercent_per_day = 110\n",
          "class.toml:7: 'percent_per_day' must be from 0 to 100"},
+        {"hand_ins = \"stranger.csv\"\n" + some_labs + "[late]\nbank_days_per_lab = 2\n",
+         "class.toml:7: 'bank_days_per_lab' needs 'bank_days'"},
+        {"hand_ins = \"stranger.csv\"\n" + some_labs + "[late]\nbank_days = 5\nbank_days_per_lab = 6\n",
+         "class.toml:8: 'bank_days_per_lab' must be a whole number from 1 to 5"},
+        {"hand_ins = \"stranger.csv\"\n" + some_labs + "[late]\nbank_days = 0\n",
+         "class.toml:7: 'bank_days' must be a whole number from 1 to 366"},
+        {some_labs + "[late]\nbank_days = 5\n", "class.toml:5: [late] needs hand_ins"},
+        {some_labs + "[attempts]\n", "class.toml:5: [attempts] must have 'per_day'"},
+        {some_labs + "[attempts]\nper_day = 0\n", "class.toml:6: 'per_day' must be a whole number from 1 to 1000"},
+        {some_labs + "[attempts]\nper_dya = 3\n", "class.toml:"},
         {some_students + "[[extension]]\nstudent = \"jan\"\ndays = 3\n",
          "class.toml:10: 'jan' is not on the roster: did you mean 'jane'?"},
         {some_students + "[[extension]]\nstudent = \"jane\"\n", "class.toml:9: [[extension]] must have 'days'"},
@@ -361,6 +391,98 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
     EXPECT_EQ(standing.notes,
               (Cells{"1 student of the roster handed nothing in: kim", "1 submission is not on the roster: bo",
                      "1 submission has no time in hand_ins and counts as in time: bo"}));
+}
+
+TEST_F(ClassFiles, TheBankPaysForLateDaysInTheOrderOfTheDueDates) {
+    // Lab 14 is due before lab 13. Jane is 3 days late with 14, and 2 with 13.
+    folder.write("times.csv",
+                 "student,lab,handed_in\njane,14,2027-02-23 10:00\njane,13,2027-03-03 10:00\n"
+                 "joe,,2027-02-20 10:00\n");
+    const std::string text = "hand_ins = \"times.csv\"\n" + some_labs +
+                             "[[assigned]]\nlab = 14\ndue = 2027-02-20\n"
+                             "[late]\npercent_per_day = 10\nbank_days = 3\nbank_days_per_lab = 2\n";
+    const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 3}, {"14.1", 3}}),
+                                               submission("joe", {{"13.1", 3}})};
+    const ClassStanding standing = class_standing(marks, read(text), {});
+    const Standing& jane = standing.students[0];
+    EXPECT_EQ(jane.labs[1].days_late, 3);
+    EXPECT_EQ(jane.labs[1].bank_days, 2) << "at most as many as one lab may use";
+    EXPECT_DOUBLE_EQ(jane.labs[1].points(), 0.9 * 3);
+    EXPECT_EQ(jane.labs[0].days_late, 2);
+    EXPECT_EQ(jane.labs[0].bank_days, 1) << "the rest of the bank";
+    EXPECT_DOUBLE_EQ(jane.labs[0].points(), 0.9 * 3);
+    EXPECT_EQ(jane.bank_used, 3);
+    EXPECT_EQ(jane.remarks(),
+              (Cells{"lab 13: 2 days late, of which 1 cost nothing, 10 % less",
+                     "lab 14: 3 days late, of which 2 cost nothing, 10 % less", "late days of the term: 3 of 3 used"}));
+    EXPECT_TRUE(contains(to_table(standing), "late days")) << to_table(standing);
+    EXPECT_TRUE(contains(to_table(standing), "      3/3  late: 0.6 less\n")) << to_table(standing);
+    EXPECT_TRUE(
+        contains(to_late_days(standing), "\njane,13,2027-03-01 23:59 +01:00,2027-03-03 10:00 +01:00,2,1,1,3,0,0,,0,\n"))
+        << to_late_days(standing);
+    EXPECT_TRUE(contains(to_csv(standing), "late days used (of 3)"));
+    EXPECT_EQ(standing.students[1].bank_used, 0);
+    EXPECT_TRUE(standing.students[1].remarks().empty());
+
+    // A run of lab 13 alone knows from hand_ins.csv what lab 14 has used.
+    const std::vector<SubmissionMark> only_13 = {submission("jane", {{"13.1", 3}})};
+    const ClassStanding alone = class_standing(only_13, read(text), {"13_displacement"});
+    EXPECT_EQ(alone.students[0].labs[0].bank_days, 1);
+    EXPECT_EQ(alone.students[0].bank_used, 3);
+
+    // Days that the bank pays in full change no points.
+    const ClassStanding paid = class_standing(marks,
+                                              read(text + "grace_hours = 0\nfloor_percent = 0\n"
+                                                          "[[extension]]\nstudent = \"jane\"\ndays = 1\n"),
+                                              {});
+    EXPECT_EQ(paid.students[0].labs[1].bank_days, 2);
+    EXPECT_EQ(paid.students[0].labs[0].bank_days, 1);
+    EXPECT_FALSE(paid.students[0].is_changed());
+    EXPECT_EQ(paid.students[0].remarks(lab_14), Cells{"lab 14: 2 days late, which cost nothing"});
+
+    // A day that the bank does not pay costs as before, and the bank is off without the key.
+    folder.write("times.csv", "student,lab,handed_in\njane,13,2027-03-03 10:00\n");
+    const ClassStanding without =
+        class_standing(only_13, read("hand_ins = \"times.csv\"\n" + some_labs + "[late]\npercent_per_day = 10\n"), {});
+    EXPECT_DOUBLE_EQ(without.students[0].points(), 0.8 * 3);
+}
+
+TEST(HandInLog, CountsTheHandInsOfALabOnADayOfTheClass) {
+    const TemporaryFolder folder;
+    const UtcOffset offset(60);
+    const auto at = [](const char* time) { return parse_moment(time, {}, {}); };
+    EXPECT_TRUE(read_hand_in_log(folder.path(), "jane").empty());
+    log_hand_ins(folder.path(), "jane", {{"13_displacement", at("2027-03-01T22:50Z"), "a"}}, offset);
+    log_hand_ins(folder.path(), "jane",
+                 {{"13_displacement", at("2027-03-01T23:10Z"), "b"}, {lab_14, at("2027-03-01T23:10Z"), "c"}}, offset);
+    const std::vector<GradedHandIn> log = read_hand_in_log(folder.path(), "jane");
+    ASSERT_EQ(log.size(), 3u);
+    EXPECT_EQ(log[0].graded_at, at("2027-03-01T22:50Z"));
+    EXPECT_EQ(last_hand_in(log, "13_displacement")->files, "b");
+    EXPECT_EQ(last_hand_in(log, "12_relief_exact"), nullptr);
+    EXPECT_EQ(hand_ins_on_day(log, "13_displacement", at("2027-03-01T12:00Z"), offset), 1)
+        << "23:10 UTC is the next day at +01:00";
+    EXPECT_EQ(hand_ins_on_day(log, "13_displacement", at("2027-03-02T12:00Z"), offset), 1);
+    EXPECT_EQ(hand_ins_on_day(log, "13_displacement", at("2027-03-01T12:00Z"), UtcOffset(0)), 2);
+    folder.write("hand_ins/joe.csv", "lab,graded_at,files\n13_displacement,yesterday,a\n");
+    EXPECT_TRUE(
+        contains(message_of([&] { read_hand_in_log(folder.path(), "joe"); }), "joe.csv:2: 'yesterday' is no time"));
+}
+
+TEST(HandInLog, KeepsTheMarksOfLabsThatALaterRunDoesNotGrade) {
+    const TemporaryFolder folder;
+    SubmissionMark first = submission("jane", {{"13.1", 3}}), second = submission("jane", {{"14.1", 0}});
+    first.course = second.course = "course";
+    keep_marks(folder.path(), first);
+    second.labs[0].kept = "for a reason";
+    keep_marks(folder.path(), second);
+    const auto marks = earlier_marks(folder.path(), "jane", "course");
+    ASSERT_TRUE(marks && marks->lab("13_displacement") && marks->lab(lab_14));
+    EXPECT_EQ(marks->lab("13_displacement")->points(), 3);
+    EXPECT_EQ(marks->lab(lab_14)->kept, "");
+    EXPECT_FALSE(earlier_marks(folder.path(), "jane", "another course or seed"));
+    folder.write("hand_ins/jane.json", "{");
+    EXPECT_FALSE(earlier_marks(folder.path(), "jane", "course"));
 }
 
 TEST_F(ClassFiles, AdjustmentsOfUnknownStudentsOrTasksAreRefused) {

@@ -241,6 +241,54 @@ TEST(PrairieLearn, TakesTheResults) {
     EXPECT_LT(to_prairielearn(standing_of(large)).size(), 1'000'000u);
 }
 
+/// A submission whose first check fails in its own view, the second in a hidden view, and the third is hidden.
+SubmissionMark with_failures() {
+    SubmissionMark mark;
+    mark.name = "jane";
+    LabMark lab{.lab = "02_storage"};
+    lab.tasks.push_back(
+        {.id = "2.1",
+         .title = "A",
+         .file = "task.glsl",
+         .of = 4,
+         .checks = {{.name = "own", .outcome = check::Outcome::wrong, .found = "<b> & more"},
+                    {.name = "turned", .outcome = check::Outcome::wrong, .found = "0", .view = "a hidden view"},
+                    {.name = "secret", .outcome = check::Outcome::wrong, .found = "0", .hidden = true},
+                    {.name = "right", .outcome = check::Outcome::passed, .found = "0"}}});
+    mark.labs.push_back(lab);
+    return mark;
+}
+
+std::vector<ExportPicture> pictures_of_all(size_t bytes) {
+    std::vector<ExportPicture> pictures;
+    for (const char* check : {"own", "turned", "secret", "right"})
+        pictures.push_back({"02_storage", "2.1", check, "yours", "data:image/png;base64," + std::string(bytes, 'A')});
+    return pictures;
+}
+
+TEST(PrairieLearn, ShowsPicturesOfFailedChecksInViewsThatStudentsKnow) {
+    const SubmissionMark mark = with_failures();
+    const json tests = json::parse(to_prairielearn(standing_of(mark), pictures_of_all(8))).at("tests");
+    EXPECT_EQ(tests[0].at("images"), (json{{{"label", "yours"}, {"url", "data:image/png;base64,AAAAAAAA"}}}));
+    for (const int hidden_or_right : {1, 2, 3}) EXPECT_FALSE(tests[size_t(hidden_or_right)].contains("images"));
+    const std::string large = to_prairielearn(standing_of(mark), pictures_of_all(1'000'000));
+    EXPECT_LT(large.size(), 1'000'000u);
+    EXPECT_TRUE(contains(json::parse(large)["tests"][0].at("output").get<std::string>(), "<b> & more"));
+}
+
+TEST(Gradescope, ShowsPicturesOfFailedChecksInViewsThatStudentsKnow) {
+    const SubmissionMark mark = with_failures();
+    const json tests = json::parse(to_gradescope(standing_of(mark), pictures_of_all(8))).at("tests");
+    EXPECT_EQ(tests[0].at("output_format"), "html");
+    const std::string html = tests[0].at("output");
+    EXPECT_TRUE(contains(html, "wrong: &lt;b&gt; &amp; more</pre>")) << html;
+    EXPECT_TRUE(contains(html, "<img alt=\"yours\" src=\"data:image/png;base64,AAAAAAAA\">")) << html;
+    for (const int hidden_or_right : {1, 2, 3}) {
+        EXPECT_EQ(tests[size_t(hidden_or_right)].at("output_format"), "text");
+        EXPECT_FALSE(contains(tests[size_t(hidden_or_right)].dump(), "base64"));
+    }
+}
+
 // Gradescope, Autograder Specifications.
 TEST(Gradescope, TakesTheResultsAsPlainText) {
     const std::set<std::string> top = {"score",         "execution_time",     "output",

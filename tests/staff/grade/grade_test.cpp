@@ -19,6 +19,7 @@
 #include "framework/staff/grade/attempt.h"
 #include "framework/staff/grade/sandbox.h"
 #include "framework/staff/grade/stage.h"
+#include "framework/staff/grade/submission.h"
 #include "tests/course/app/course_copy.h"
 #include "tests/process.h"
 #include "tests/support.h"
@@ -193,6 +194,15 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
         for (size_t at = 0; (at = own.find("src=\"data:image/png;base64,", at)) != std::string::npos; ++at) ++found;
         EXPECT_EQ(found, count) << name;
         EXPECT_TRUE(contains(page, "href=\"submissions/" + name + ".html\"")) << name;
+    }
+    // So do the exports, without those of hidden checks and views.
+    for (const char* kind : {"prairielearn", "gradescope"}) {
+        const std::string text = read_file(output / kind / "truncated.json");
+        EXPECT_TRUE(contains(text, "data:image/png;base64,")) << kind;
+        EXPECT_LT(text.size(), 1'000'000u);
+        EXPECT_FALSE(contains(read_file(output / kind / "good.json"), "base64"));
+        for (const json& test : json::parse(text)["tests"])
+            EXPECT_FALSE(contains(test["name"].get<std::string>(), "hidden") && contains(test.dump(), "base64"));
     }
     const std::string truncated_page = read_file(output / "students/truncated.html");
     EXPECT_TRUE(contains(truncated_page, "You truncate"));
@@ -671,6 +681,14 @@ TEST(Grade, RefusesToRunWithoutIsolationUnlessTrusted) {
     EXPECT_EQ(refused.code, 1);
     EXPECT_TRUE(contains(refused.err, "--trust")) << refused.err;
     EXPECT_FALSE(fs::exists(folder.path() / "out/results/jane.json"));
+    // Where AppArmor is the cause, the profile that allows bubblewrap comes along.
+    folder.write("proc/sys/kernel/apparmor_restrict_unprivileged_userns", "1\n");
+    const Circumstances ubuntu{.folder = {}, .environment = {{"RELIEF_NO_NAMESPACES", folder.path().string()}}};
+    for (const Result& told :
+         {run({relief_program(), "grade", jane, "-o", output}, ubuntu), run({relief_program(), "info"}, ubuntu)}) {
+        EXPECT_TRUE(contains(told.err + told.out, "AppArmor forbids them")) << told.err << told.out;
+        EXPECT_TRUE(contains(told.err + told.out, "profile relief-bwrap /usr/bin/bwrap")) << told.err << told.out;
+    }
     const Result trusted = run({relief_program(), "grade", jane, "-o", output, "--trust"}, without);
     EXPECT_EQ(trusted.code, 0) << trusted.err;
     EXPECT_TRUE(contains(trusted.err, "isolation: limits")) << trusted.err;
@@ -835,6 +853,131 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
         run(grade({words[0], "-o", output.string(), "--lab", "5", "--class", (folder.path() / "class.toml").string()}));
     EXPECT_EQ(other.code, 2);
     EXPECT_TRUE(contains(other.err, "lab 05 is not assigned in ")) << other.err;
+}
+
+TEST(Grade, AHandInBeyondTheLimitOfTheDayKeepsTheEarlierMark) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const std::string solution = course_file(shader), starter = check::starter_of(solution, shader),
+                      lab_1 = "shaders/01_specular_highlights/task.glsl";
+    folder.write("class.toml",
+                 "utc_offset = \"+00:00\"\n[attempts]\nper_day = 2\n[[assigned]]\nlab = 1\n[[assigned]]\nlab = 2\n");
+    const auto hand_in = [&](const std::string& text) {
+        folder.write(std::string("jane/") + shader, text);
+        const Result result = run(grade({(folder.path() / "jane").string(), "-o", output.string(), "--class",
+                                         (folder.path() / "class.toml").string()}));
+        EXPECT_EQ(result.code, 0) << result.err;
+        return result;
+    };
+    const auto hand_ins = [&] {
+        const std::string log = read_file(output / "hand_ins/jane.csv");
+        return std::count(log.begin(), log.end(), '\n') - 1;
+    };
+    const auto points = [&] { return result_of(output, "jane").value("points", -1.0); };
+    hand_in(starter);
+    EXPECT_EQ(hand_ins(), 1);
+    EXPECT_TRUE(contains(hand_in(starter).out, "1 unchanged"));
+    EXPECT_EQ(hand_ins(), 1) << "the same files are no hand-in";
+    hand_in(starter + "// again\n");
+    EXPECT_EQ(points(), 0);
+    EXPECT_EQ(hand_ins(), 2);
+
+    const std::string page = read_file(output / "submissions/jane.html");
+    const Result third = hand_in(solution);
+    EXPECT_EQ(points(), 0) << "the mark of the second hand-in";
+    EXPECT_EQ(hand_ins(), 2);
+    EXPECT_TRUE(contains(third.err, "1 submission is beyond the limit of hand-ins and keeps an earlier mark: jane"))
+        << third.err;
+    EXPECT_TRUE(contains(third.out, "lab 02: beyond the limit of hand-ins")) << third.out;
+    for (const char* file : {"students/jane.html", "submissions/jane.html", "report.html", "results.csv",
+                             "late_days.csv", "gradescope/jane.json", "prairielearn/jane.json"})
+        EXPECT_TRUE(
+            contains(read_file(output / file), "the last hand-in is not graded, because of the limit of 2 on 20"))
+            << file;
+    EXPECT_GT(read_file(output / "submissions/jane.html").size(), page.size()) << "the pictures of the mark stay";
+    const Result merged = run({relief_program(), "grade", "--merge", output.string()});
+    EXPECT_EQ(merged.code, 0) << merged.err;
+
+    // Another lab has its own limit.
+    folder.write("jane/" + lab_1, course_file(lab_1));
+    hand_in(solution);
+    EXPECT_EQ(points(), 5);
+    EXPECT_EQ(hand_ins(), 3);
+    hand_in(solution);
+    EXPECT_EQ(points(), 5) << "still the same day";
+
+    // A hand-in of another day is graded: here the logged ones move to an earlier day.
+    std::string log = read_file(output / "hand_ins/jane.csv");
+    for (size_t at = 0; (at = log.find(",20", at)) != log.npos; at += 3) log.replace(at, 5, ",1999");
+    folder.write("out/hand_ins/jane.csv", log);
+    const Result next = hand_in(solution);
+    EXPECT_EQ(points(), 5 + 11);
+    EXPECT_EQ(hand_ins(), 4);
+    EXPECT_FALSE(contains(next.err, "beyond the limit")) << next.err;
+}
+
+TEST(Grade, TheScriptOfTheGuideCollectsTheLastCommitBeforeTheDeadline) {
+    const TemporaryFolder folder;
+    const std::string guide = course_file("labs/staff/README.md"), begin = "```bash collect.sh\n";
+    const size_t at = guide.find(begin);
+    ASSERT_NE(at, std::string::npos);
+    folder.write("collect.sh", guide.substr(at + begin.size(), guide.find("```", at + 3) - at - begin.size()));
+    const auto in = [&](const std::string& script, const std::string& date = "2027-03-01T12:00:00Z") {
+        const Result result = run({"bash", "-ec", script}, {.folder = folder.path(),
+                                                            .environment = {{"GIT_COMMITTER_DATE", date},
+                                                                            {"GIT_CONFIG_GLOBAL", "/dev/null"},
+                                                                            {"GIT_AUTHOR_NAME", "x"},
+                                                                            {"GIT_AUTHOR_EMAIL", "x@x.org"},
+                                                                            {"GIT_COMMITTER_NAME", "x"},
+                                                                            {"GIT_COMMITTER_EMAIL", "x@x.org"}}});
+        return result;
+    };
+    const auto commit = [&](const std::string& student, const std::string& text, const std::string& date) {
+        folder.write(student + "/" + shader, text);
+        const Result result = in("git init -q -b trunk " + student + "; cd " + student +
+                                     "; git add -A; git commit -q -m x; git clone -q --bare . ../" + student +
+                                     ".git 2>/dev/null || git push -q ../" + student + ".git trunk",
+                                 date);
+        EXPECT_EQ(result.code, 0) << result.err;
+    };
+    commit("jane", "first", "2027-03-01T10:00:00Z");
+    commit("jane", "last", "2027-03-01T20:00:00Z");
+    commit("jane", "late", "2027-03-02T10:00:00Z");
+    commit("joe", "late", "2027-03-02T10:00:00Z");
+    // Kim has an old hand-in, and a hook and a filter that must not run.
+    folder.write("kim/.gitattributes", "* filter=evil\n");
+    commit("kim", "kim", "2027-02-28T10:00:00Z");
+    folder.write("kim.git/hooks/post-checkout", "#!/bin/sh\ntouch " + (folder.path() / "ran").string() + "\n");
+    folder.write("bo/readme.txt", "nothing");
+    EXPECT_EQ(in("git init -q bo; cd bo; git add -A; git commit -q -m x; git clone -q --bare . ../bo.git").code, 0);
+    std::string table = "student,url\r\n";
+    for (const char* student : {"jane", "joe", "kim", "bo", "ann"})
+        table += std::string(student) + "," + (folder.path() / student).string() + ".git\n";
+    folder.write("repositories.csv", table.substr(0, table.size() - 1));  // without a final line break
+
+    const Result collected = in("bash collect.sh repositories.csv 2027-03-02T00:00:00+01:00");
+    EXPECT_EQ(collected.code, 1) << "some have nothing";
+    EXPECT_TRUE(contains(collected.err, "joe: no commit before 2027-03-02T00:00:00+01:00")) << collected.err;
+    EXPECT_TRUE(contains(collected.err, "bo: no task file")) << collected.err;
+    EXPECT_TRUE(contains(collected.err, "ann: cannot fetch ")) << collected.err;
+    const auto handed_in = [&](const char* student) {
+        return read_submission(folder.path() / "submissions" / (std::string(student) + ".tar"), {shader}).files;
+    };
+    EXPECT_EQ(handed_in("jane"), (std::map<std::string, std::string>{{shader, "last"}}));
+    EXPECT_EQ(handed_in("kim").at(shader), "kim");
+    for (const char* student : {"joe", "bo", "ann"})
+        EXPECT_FALSE(fs::exists(folder.path() / "submissions" / (std::string(student) + ".tar"))) << student;
+    EXPECT_FALSE(fs::exists(folder.path() / "ran"));
+    const std::string times = read_file(folder.path() / "hand_ins.csv");
+    EXPECT_TRUE(contains(times, "student,handed_in\njane,2027-03-01T20:00:00")) << times;
+    EXPECT_FALSE(contains(times, "joe")) << times;
+
+    // A later deadline takes the later commits, from the repositories that are there.
+    const Result later = in("bash collect.sh repositories.csv 2027-03-03");
+    EXPECT_EQ(handed_in("jane").at(shader), "late") << later.err;
+    EXPECT_EQ(handed_in("joe").at(shader), "late") << later.err;
+    EXPECT_EQ(in("bash collect.sh repositories.csv").code, 2);
+    EXPECT_EQ(in("bash collect.sh repositories.csv someday").code, 2);
 }
 
 TEST(Grade, WrongUseIsOneClearLine) {

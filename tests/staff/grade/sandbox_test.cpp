@@ -41,6 +41,31 @@ TEST_F(Sandbox, PassesOnInputOutputErrorsAndTheExitCode) {
     EXPECT_EQ(done.errors, "oh\n");
 }
 
+TEST(Namespaces, ARefusalNamesItsCauseAndTheRemedy) {
+    const TemporaryFolder folder;
+    const IsolationReport unknown = refused_namespaces("bwrap: no", folder.path());
+    EXPECT_EQ(unknown.level, Isolation::limits);
+    EXPECT_EQ(unknown.reason, "this system does not let bubblewrap make namespaces (bwrap: no)");
+    EXPECT_EQ(unknown.remedy, "");
+
+    const std::string setting = "proc/sys/kernel/apparmor_restrict_unprivileged_userns";
+    folder.write(setting, "0\n");
+    EXPECT_EQ(refused_namespaces("bwrap: no", folder.path()).remedy, "") << "AppArmor is not the cause";
+    folder.write(setting, "1\n");
+    const IsolationReport ubuntu = refused_namespaces("bwrap: no", folder.path());
+    EXPECT_TRUE(ubuntu.reason.ends_with(": AppArmor forbids them")) << ubuntu.reason;
+    EXPECT_TRUE(contains(ubuntu.remedy, "profile relief-bwrap /usr/bin/bwrap flags=(unconfined) {\n  userns,\n}\n"))
+        << ubuntu.remedy;
+    EXPECT_FALSE(contains(ubuntu.remedy, "container"));
+
+    folder.write(".dockerenv", "");
+    const IsolationReport nested = refused_namespaces("bwrap: no", folder.path());
+    EXPECT_TRUE(contains(nested.remedy, "--security-opt seccomp=unconfined --security-opt apparmor=unconfined"));
+    EXPECT_TRUE(contains(nested.remedy, "on the host save")) << nested.remedy;
+    folder.write(setting, "0\n");
+    EXPECT_FALSE(contains(refused_namespaces("bwrap: no", folder.path()).remedy, "profile"));
+}
+
 TEST_F(Sandbox, HasAClearedEnvironment) {
     setenv("RELIEF_SECRET", "x", 1);
     const ProcessResult done = shell("env | cut -d= -f1 | sort | tr '\\n' ' '");

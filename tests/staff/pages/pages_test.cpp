@@ -2,6 +2,7 @@
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
+#include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/question_pages.h"
 #include "framework/staff/pages/standing_part.h"
@@ -151,6 +152,42 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
         row.picture = row.error_map = Image(2, 2, 3, 8);
     }
     EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)}, [](const auto&, const auto&) {})), 20);
+}
+
+TEST(ExportPictures, AreSmallBoundedAndNeverHidden) {
+    const Manifest manifest = some_manifest();
+    grade::CheckPictures one{
+        .lab = "02", .manifest = &manifest, .check = {}, .drawn = Image(400, 300, 3, 8), .expected = {}};
+    one.check.task = "2.1", one.check.name = "noise";
+    uint32_t state = 1;  // noise does not compress
+    for (float& value : one.drawn.values) value = float((state = state * 1664525 + 1013904223) >> 24) / 255;
+    one.expected = one.drawn;
+    std::fill(one.expected.values.begin(), one.expected.values.begin() + 3000, 0.f);
+    const std::vector<grade::ExportPicture> three = export_pictures({one});
+    ASSERT_EQ(three.size(), 3u);
+    EXPECT_EQ(three[0].label, "yours");
+    EXPECT_TRUE(three[0].uri.starts_with("data:image/png;base64,"));
+    EXPECT_LT(three[0].uri.size(), 192u * 144 * 3 * 4 / 3 + 1000) << "192 pixels wide";
+
+    const std::vector<grade::ExportPicture> many = export_pictures(std::vector(20, one));
+    size_t bytes = 0;
+    for (const grade::ExportPicture& picture : many) bytes += picture.uri.size();
+    EXPECT_LE(bytes, max_export_bytes);
+    EXPECT_GE(many.size(), 6u);
+    EXPECT_EQ(many.size() % 3, 0u);
+
+    grade::CheckPictures hidden_view = one, hidden_check = one;
+    hidden_view.hidden_view = true, hidden_check.check.hidden = true;
+    EXPECT_TRUE(export_pictures({hidden_view, hidden_check}).empty());
+
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / pictures_file("jane");
+    EXPECT_TRUE(read_pictures(file).empty());
+    write_pictures(file, many);
+    EXPECT_EQ(read_pictures(file).size(), many.size());
+    EXPECT_EQ(read_pictures(file)[1].uri, many[1].uri);
+    folder.write("pictures/jane.json", "[{");
+    EXPECT_TRUE(read_pictures(file).empty());
 }
 
 TEST(StudentPage, ShowsAHintOncePerTask) {
