@@ -99,7 +99,7 @@ struct ComparedText {
     std::vector<uint64_t> grams;
     Grams all;                              ///< those of `grams` that the starter does not have
     std::vector<CodeFingerprint> own = {};  ///< each hash once
-    std::vector<double> weights = {};       ///< the part of each of `own` that the next one does not overlap
+    std::vector<double> weights = {};       ///< of each of `own`: see bits_of_copy()
     size_t own_tokens = 0;                  ///< number of tokens in `all`
 
     ComparedText(size_t whose, const TaskCode& task, const Grams& given)
@@ -114,9 +114,10 @@ struct ComparedText {
         std::set<uint64_t> seen;
         for (const CodeFingerprint& one : winnow(grams, given))
             if (seen.insert(one.hash).second) own.push_back(one);
+        // A change of one token changes all grams that contain it, which are 2 gram_tokens - 1 tokens long.
         for (size_t i = 0; i < own.size(); ++i) {
             const size_t gap = i + 1 < own.size() ? own[i + 1].token - own[i].token : gram_tokens;
-            weights.push_back(double(std::min(gap, gram_tokens)) / double(gram_tokens));
+            weights.push_back(double(std::min(gap, gram_tokens)) / double(2 * gram_tokens - 1));
         }
     }
 };

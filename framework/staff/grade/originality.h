@@ -71,14 +71,14 @@ struct OriginalityReport {
 
 /// Bits of a task that do not count, so that a sum over many tasks does not become large by chance.
 constexpr double task_toll_bits = 5;
-/// A class of independent authors has a listed pair with this probability at most, as far as the model is right.
-constexpr double alarm_by_chance = 0.01;
+/// Expected number of listed pairs in a class of independent authors, as far as the model of them is right.
+constexpr double alarm_by_chance = 0.001;
 
 /// Which fingerprints of one text another text has, too.
 using Having = std::vector<bool>;
 
 /// Returns the bits by which "B knew A's text" explains the shared fingerprints better than "B wrote alone".
-/// `weights[i]`: the part of fingerprint i of A that no later one overlaps, in (0, 1]. `b`: the fingerprints that B
+/// `weights[i]`: how much of an independent event fingerprint i of A is, in (0, 1]. `b`: the fingerprints that B
 /// has. `others`: those that other submissions and known solutions have. README.md explains the model.
 double bits_of_copy(const std::vector<double>& weights, const Having& b, const std::vector<const Having*>& others);
 
