@@ -20,6 +20,7 @@ List code_rows(const grade::SharedSide& side, const std::string& file) {
         for (size_t at = line_begin; at < piece_end; ++number) {
             const size_t end = std::min(file.find('\n', at), file.size());
             List parts;
+            const size_t first = std::min(file.find_first_not_of(" \t", at), end);  // indentation is not marked
             const auto add = [&](size_t begin, size_t stop, const char* kind) {
                 if (begin >= stop) return;
                 const std::string text = file.substr(begin, stop - begin);
@@ -28,8 +29,9 @@ List code_rows(const grade::SharedSide& side, const std::string& file) {
             size_t done = at;
             for (const grade::SharedRange& range : side.ranges) {
                 if (range.end <= at || range.begin >= end) continue;
-                add(done, std::max(range.begin, at), "");
-                add(std::max(range.begin, at), std::min(range.end, end), range.is_rare ? "rare" : "usual");
+                const size_t begin = std::max(range.begin, first);
+                add(done, begin, "");
+                add(begin, std::min(range.end, end), range.is_rare ? "rare" : "usual");
                 done = std::min(range.end, end);
             }
             add(done, end, "");
