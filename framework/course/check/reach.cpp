@@ -60,25 +60,6 @@ std::vector<std::string> tokens_of(std::string_view line) {
 constexpr std::array interface_words = {"uniform", "layout", "varying",    "attribute", "buffer",
                                         "shared",  "in",     "subroutine", "out",       "inout"};
 
-/// Returns whether this is a built-in function of GLSL 4.10 (chapter 8 of its specification). Leaves out the functions
-/// of geometry shaders, and noise.
-bool is_built_in(const std::string& name) {
-    static const std::vector<std::string> names = split(
-        "abs acos acosh all any asin asinh atan atanh bitCount bitfieldExtract bitfieldInsert bitfieldReverse ceil "
-        "clamp cos cosh cross dFdx dFdy degrees determinant distance dot equal exp exp2 faceforward findLSB findMSB "
-        "floatBitsToInt floatBitsToUint floor fma fract frexp fwidth greaterThan greaterThanEqual imulExtended "
-        "intBitsToFloat interpolateAtCentroid interpolateAtOffset interpolateAtSample inverse inversesqrt isinf isnan "
-        "ldexp length lessThan lessThanEqual log log2 matrixCompMult max min mix mod modf normalize not notEqual "
-        "outerProduct packDouble2x32 packSnorm4x8 packUnorm2x16 packUnorm4x8 pow radians reflect refract round "
-        "roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch texelFetchOffset texture textureGather "
-        "textureGatherOffset textureGatherOffsets textureGrad textureGradOffset textureLod textureLodOffset "
-        "textureOffset textureProj textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
-        "textureProjOffset textureQueryLod textureSize transpose trunc uaddCarry uintBitsToFloat umulExtended "
-        "unpackDouble2x32 unpackUnorm2x16 unpackUnorm4x8 unpackSnorm4x8 usubBorrow",
-        ' ');
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 struct Found {
     std::set<std::string> words, called, defined;  ///< `called` includes the defined functions
     std::set<std::string> macros;                  ///< names in #define and #undef
@@ -136,6 +117,24 @@ Found look(const std::string& text) {
 
 }  // namespace
 
+bool is_built_in_function(const std::string& name) {
+    static const std::vector<std::string> list = split(
+        "abs acos acosh all any asin asinh atan atanh bitCount bitfieldExtract bitfieldInsert bitfieldReverse ceil "
+        "clamp cos cosh cross dFdx dFdy degrees determinant distance dot equal exp exp2 faceforward findLSB findMSB "
+        "floatBitsToInt floatBitsToUint floor fma fract frexp fwidth greaterThan greaterThanEqual imulExtended "
+        "intBitsToFloat interpolateAtCentroid interpolateAtOffset interpolateAtSample inverse inversesqrt isinf isnan "
+        "ldexp length lessThan lessThanEqual log log2 matrixCompMult max min mix mod modf normalize not notEqual "
+        "outerProduct packDouble2x32 packSnorm4x8 packUnorm2x16 packUnorm4x8 pow radians reflect refract round "
+        "roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch texelFetchOffset texture textureGather "
+        "textureGatherOffset textureGatherOffsets textureGrad textureGradOffset textureLod textureLodOffset "
+        "textureOffset textureProj textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
+        "textureProjOffset textureQueryLod textureSize transpose trunc uaddCarry uintBitsToFloat umulExtended "
+        "unpackDouble2x32 unpackUnorm2x16 unpackUnorm4x8 unpackSnorm4x8 usubBorrow",
+        ' ');
+    static const std::set<std::string> names(list.begin(), list.end());
+    return names.contains(name);
+}
+
 OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
     std::set<std::filesystem::path> taken;  // also the task files, which must not be read
     for (const TaskInfo& task : manifest.tasks) taken.insert(course_root() / task.file);
@@ -176,10 +175,10 @@ std::string reaches_beyond(const std::string& task_file, const OtherShaders& oth
     for (const std::string& macro : found.macros)
         if (others.use(macro)) return fmt::format("defines '{}', which the lab's shaders use", macro);
     for (const std::string& name : found.defined)
-        if (is_built_in(name) && others.call(name))
+        if (is_built_in_function(name) && others.call(name))
             return fmt::format("defines '{}', a function of the language that the lab's shaders call", name);
     for (const std::string& name : found.handed)
-        if (is_built_in(name) && others.call(name))
+        if (is_built_in_function(name) && others.call(name))
             return fmt::format("has '{}' in a macro, without a '(' after it: that may define the function anew", name);
     if (!found.interface_word.empty())
         return fmt::format("has '{}' outside of a function: what a shader reads and writes is the lab's",

@@ -10,6 +10,10 @@
 
 namespace relief::check {
 
+/// Returns whether this is a built-in function of GLSL 4.10 (chapter 8 of its specification). Leaves out the functions
+/// of geometry shaders, and noise.
+bool is_built_in_function(const std::string& name);
+
 /// The lab's shaders besides its tasks.
 class OtherShaders {
 public:

@@ -18,20 +18,22 @@
 #include "framework/staff/grade/gradescope.h"
 #include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/mutation_test.h"
+#include "framework/staff/grade/originality.h"
 #include "framework/staff/grade/self_test.h"
 #include "framework/staff/grade/slurm.h"
 #include "framework/staff/pages/export_pictures.h"
+#include "framework/staff/pages/originality_page.h"
 #include "framework/staff/pages/summaries.h"
 
 namespace relief::app {
 namespace {
 
 struct GradeArguments {
-    std::vector<std::string> paths, labs;
+    std::vector<std::string> paths, labs, earlier;
     std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, slurm, status, questions;
     std::string context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
-         gradescope = false;
+         gradescope = false, originality = false;
 };
 
 namespace fs = std::filesystem;
@@ -324,6 +326,31 @@ void ask_class(const grade::ClassOptions& options, const grade::ClassReport& rep
     write_questions(asked);
 }
 
+/// Compares the submissions with each other, and grades none.
+int compare_submissions(const GradeArguments& arguments, grade::ClassOptions& options) {
+    for (const auto& [given, option] : {std::pair(!arguments.class_file.empty(), "--class"),
+                                        {!arguments.shard.empty(), "--shard"},
+                                        {!arguments.slurm.empty(), "--slurm"},
+                                        {arguments.fresh, "--fresh"}})
+        if (given)
+            throw UsageError(
+                fmt::format("--originality grades nothing, so it takes no {}: grade in a run of its own", option));
+    name_submissions(arguments, options);
+    std::vector<fs::path> earlier(arguments.earlier.begin(), arguments.earlier.end());
+    const grade::OriginalityReport report = grade::compare_class(options.submissions, earlier, options.labs);
+    make_results_folder(options.output);
+    const Descriptor at_work = grade::hold_output(options.output, grade::Hold::alone);
+    pages::write_originality(report, options.output);
+    for (const grade::Author& author : report.authors)
+        for (const std::string& problem : author.problems)
+            print_note(fmt::format("{} is not compared in full: {}", author.name, problem));
+    fmt::print("{}", grade::originality_table(report));
+    fmt::print("{}: {} pairs of submissions compared, {} to look at, in {:.1f} s\n",
+               (options.output / "originality.html").string(), report.compared, report.pairs.size(), report.seconds);
+    fmt::print("Shared code is no proof of anything. Read both texts: a person decides.\n");
+    return 0;
+}
+
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
 /// mark.
 int grade_submissions(const GradeArguments& arguments) {
@@ -332,15 +359,17 @@ int grade_submissions(const GradeArguments& arguments) {
                                         {!arguments.status.empty(), "--status"},
                                         {arguments.self_test, "--self-test"},
                                         {!arguments.mutate.empty(), "--mutate"},
-                                        {arguments.gradescope, "--gradescope"}}) {
+                                        {arguments.gradescope, "--gradescope"},
+                                        {arguments.originality, "--originality"}}) {
         if (!given) continue;
-        if (!arguments.paths.empty())
+        if (!arguments.paths.empty() && !arguments.originality)
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
         if (!purpose.empty()) throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
         purpose = option;
     }
-    for (const auto& [given, option] : {std::pair(arguments.resume, "--resume"),
+    if (!arguments.earlier.empty() && !arguments.originality) throw UsageError("--earlier goes with --originality");
+    for (const auto& [given, option] : {std::pair(arguments.resume && !arguments.originality, "--resume"),
                                         {!arguments.shard.empty(), "--shard"},
                                         {!arguments.slurm.empty(), "--slurm"},
                                         {!arguments.questions.empty(), "--questions"}})
@@ -376,6 +405,7 @@ int grade_submissions(const GradeArguments& arguments) {
     const int questions =
         arguments.questions.empty() ? 0 : whole_number(arguments.questions, "--questions", 1, most_questions);
     if (arguments.gradescope) return make_gradescope(options);
+    if (arguments.originality) return compare_submissions(arguments, options);
     if (!arguments.slurm.empty()) return grade_on_slurm(arguments, options);
     options.shard = grade::shard_of(arguments.shard);
     options.keep_roster = arguments.resume && !options.shard.whole();
@@ -425,6 +455,12 @@ public:
                       "also ask each student N questions about their own code, in the folder questions of -o FOLDER");
         options.flag("--gradescope", grade_.gradescope,
                      "write an autograder for Gradescope to -o FOLDER; takes no submissions");
+        options.flag("--originality", grade_.originality,
+                     "grade nothing: list the submissions that share code that the starter does not have, and write "
+                     "originality.html, .csv and .json to -o FOLDER, for staff only");
+        options.values("--earlier", "FOLDER", grade_.earlier,
+                       "with --originality: a folder with the submissions of an earlier class, to compare with these; "
+                       "may be repeated");
         options.flag("--resume", grade_.resume, "continue the last run into this folder where it stopped");
         options.value("--context", "NAME", grade_.context, "auto (osmesa, then egl), osmesa or egl");
         options.value("--threads", "N", grade_.threads,

@@ -140,6 +140,7 @@ ArchiveEntry read_beneath(int folder, const std::string& name) {
     }
     entry.too_large = have > max_task_bytes;
     entry.content.resize(entry.too_large ? 0 : have);
+    entry.content.shrink_to_fit();  // a whole class is kept in memory
     return entry;
 }
 

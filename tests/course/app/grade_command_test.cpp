@@ -209,5 +209,38 @@ TEST(Merge, ReadsEachResultOnce) {
     EXPECT_NEAR((read_for(600) - read_for(200)) / 400, 10500, 500);
 }
 
+TEST_F(GradeCommand, OriginalityWritesStaffFilesAndGradesNothing) {
+    std::vector<std::string> words = submissions_;
+    words.insert(words.end(), {"-o", "marks", "--originality"});
+    const Result result = grade(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("3 pairs of submissions compared, 0 to look at"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("a person decides"), std::string::npos);
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(marks_)) {
+        files.insert(entry.path().filename().string());
+        EXPECT_EQ(fs::status(entry.path()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    }
+    EXPECT_EQ(files, (std::set<std::string>{"originality.csv", "originality.html", "originality.json"}));
+}
+
+TEST_F(GradeCommand, OriginalityRefusesWhatItDoesNotUse) {
+    const std::string submission = submissions_[0];
+    for (const auto& [words, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{submission, "-o", "marks", "--originality"}, "name at least two"},
+             {{submission, "-o", "marks", "--earlier", "class"}, "--earlier goes with --originality"},
+             {{submission, "-o", "marks", "--originality", "--earlier", "nowhere"}, "there is no folder 'nowhere'"},
+             {{submission, "-o", "marks", "--originality", "--earlier", "class"}, "name it once"},
+             {{submission, "-o", "marks", "--originality", "--fresh"}, "takes no --fresh"},
+             {{submission, "-o", "marks", "--originality", "--self-test"}, "do not go together"},
+             {{submission, "--originality"}, "-o FOLDER"},
+             {{submission, "-o", "marks", "--originalty"}, "--originality"}}) {
+        const Result result = grade(words);
+        EXPECT_EQ(result.code, 2) << message;
+        EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+        EXPECT_FALSE(fs::exists(marks_)) << message;
+    }
+}
+
 }  // namespace
 }  // namespace relief::app
