@@ -198,7 +198,7 @@ public:
         options.setup.isolation = grade::isolation_for(trust_).level;
         const char* const seed = std::getenv("RELIEF_SEED");
         options.seed = !seed_.empty() ? seed_ : seed ? seed : seed_in(options.folder);
-        options.keeps_seed = true;
+        options.keeps_seed = !seed_.empty() || !seed;  // a seed in the environment is a secret
         return write_questions(options);
     }
 

@@ -217,23 +217,33 @@ TEST(QuestionsCommand, TheSameSeedAsksTheSameAndAnotherSeedOrNameDoesNot) {
     const TemporaryFolder folder;
     for (const char* name : {"jane", "joe"})
         folder.write(name + std::string("/") + frames, read_file(course_root() / frames));
-    const auto asked = [&](const char* seed, const char* output) {
-        std::vector<std::string> words = {
-            "questions", (folder.path() / "jane").string(), (folder.path() / "joe").string(),
-            "-o",        (folder.path() / output).string(), "--count",
-            "3"};
+    const auto asked = [&](const char* seed, const char* output, const std::vector<const char*>& names) {
+        std::vector<std::string> words = {"questions", "-o", (folder.path() / output).string(), "--count", "3"};
+        for (const char* name : names) words.push_back((folder.path() / name).string());
         if (seed) words.insert(words.end(), {"--seed", seed});
         const Result result = run(with_isolation(words));
         EXPECT_EQ(result.code, 0) << result.err;
-        return read_file(folder.path() / output / "sheets/jane.html") + read_file(folder.path() / output / "key.html");
+        return read_file(folder.path() / output / "sheets/jane.html");
     };
-    const std::string first = asked("test", "a");
-    EXPECT_EQ(asked("test", "b"), first);
-    EXPECT_EQ(asked(nullptr, "a"), first) << "the seed of the folder";
-    EXPECT_NE(asked("other", "b"), first);
+    const std::string first = asked("test", "a", {"jane", "joe"});
     const json students = questions_in(folder.path() / "a")["students"];
     EXPECT_NE(students[0]["questions"], students[1]["questions"]);
+    EXPECT_EQ(asked("test", "b", {"jane"}), first) << "whoever else is asked";
+    EXPECT_EQ(asked(nullptr, "a", {"jane"}), first) << "the seed of the folder";
+    EXPECT_NE(asked("other", "b", {"jane"}), first);
     EXPECT_EQ(fs::status(folder.path() / "a").permissions(), fs::perms::owner_all);
+}
+
+TEST(QuestionsCommand, ASeedInTheEnvironmentIsWrittenNowhere) {
+    const TemporaryFolder folder;
+    folder.write(std::string("jane/") + frames, read_file(course_root() / frames));
+    const Result asked = run(with_isolation({"questions", (folder.path() / "jane").string(), "-o",
+                                             (folder.path() / "out").string(), "--count", "1"}),
+                             {.folder = {}, .environment = {{"RELIEF_SEED", "a-long-secret"}}});
+    ASSERT_EQ(asked.code, 0) << asked.err;
+    for (const char* file : {"sheets/jane.html", "key.html", "questions.json"})
+        EXPECT_FALSE(contains(read_file(folder.path() / "out" / file), "a-long-secret")) << file;
+    EXPECT_FALSE(contains(asked.out + asked.err, "a-long-secret"));
 }
 
 TEST(QuestionsCommand, ASubmissionThatDoesNotCompileCostsOneLineAndNoSheet) {
