@@ -133,7 +133,7 @@ std::vector<size_t> distinct_pictures(const std::vector<Image>& pictures, size_t
     for (size_t i = 0; i < pictures.size() && taken.size() < count; ++i) {
         if (pictures[i].values.empty()) continue;
         const bool is_new = std::all_of(taken.begin(), taken.end(), [&](size_t other) {
-            return double(difference(pictures[i], pictures[other], seen_change).pixels_over) >=
+            return double(difference(pictures[i], pictures[other], distinct_change).pixels_over) >=
                    distinct_share * double(pictures[i].pixel_count());
         });
         if (is_new) taken.push_back(i);

@@ -13,8 +13,9 @@
 
 namespace relief::grade {
 
-/// Two pictures on a sheet differ at least so much: in this share of their pixels, by more than 8/255 in a channel.
-constexpr double distinct_share = 0.02;
+/// Two pictures on a sheet differ at least so much: in this share of their pixels, by more than `distinct_change` in a
+/// channel. Smaller differences are hard to see on paper.
+constexpr double distinct_share = 0.05, distinct_change = 24.0 / 255 + 1e-6;
 
 /// A change of one line of a student's file.
 struct LineChange {

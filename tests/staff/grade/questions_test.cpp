@@ -68,12 +68,12 @@ TEST(Questions, PixelsOfAProbeHaveASurfaceAndAWrittenTask) {
     for (const glm::ivec2 pixel : pixels) EXPECT_GE(pixel.x, 6);
 }
 
-TEST(Questions, PicturesDifferByTwoPercentOfTheirPixels) {
+TEST(Questions, PicturesDifferByFivePercentOfTheirPixels) {
     const auto with = [](int columns, float value) { return striped(100, 10, 0, columns, value); };
-    // Of the two columns and one column, by a step of 8/255 and by 9/255.
-    EXPECT_EQ(distinct_pictures({with(0, 0), with(2, 9.0F / 255), with(2, 8.0F / 255), with(1, 1)}, 4),
+    // Of five columns by 25/255, five by 24/255, and four by more.
+    EXPECT_EQ(distinct_pictures({with(0, 0), with(5, 25.0F / 255), with(5, 24.0F / 255), with(4, 1)}, 4),
               (std::vector<size_t>{0, 1}));
-    EXPECT_EQ(distinct_pictures({with(0, 0), with(50, 1), with(51, 1), Image(), with(52, 1), with(90, 0.5F)}, 4),
+    EXPECT_EQ(distinct_pictures({with(0, 0), with(50, 1), with(54, 1), Image(), with(55, 1), with(90, 0.5F)}, 4),
               (std::vector<size_t>{0, 1, 4, 5}));
     EXPECT_EQ(distinct_pictures({with(0, 0), with(20, 1), with(40, 1)}, 2).size(), 2U);
 }
