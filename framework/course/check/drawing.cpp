@@ -45,16 +45,16 @@ size_t pixel_bytes(const Shot& shot) {
 
 json as_json(const Shot& shot) {
     const Orbit& camera = shot.camera;
-    return {{"size", {shot.size.x, shot.size.y}},
-            {"time", shot.time},
-            {"camera",
-             {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y, camera.target.z,
-              camera.field_of_view}},
-            {"probe", shot.probe.name},
-            {"set", shot.set},
-            {"calls_file", shot.calls.file},
-            {"calls", shot.calls.texts},
-            {"calls_include", shot.calls.includes}};
+    json text = {{"size", {shot.size.x, shot.size.y}},
+                 {"time", shot.time},
+                 {"camera",
+                  {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y, camera.target.z,
+                   camera.field_of_view}},
+                 {"probe", shot.probe.name},
+                 {"set", shot.set}};
+    if (shot.calls)
+        text["calls"] = {{"file", shot.calls.file}, {"texts", shot.calls.texts}, {"includes", shot.calls.includes}};
+    return text;
 }
 
 Shot shot_of(const json& from) {
@@ -65,9 +65,10 @@ Shot shot_of(const json& from) {
     shot.camera = {camera[0], camera[1], camera[2], {camera[3], camera[4], camera[5]}, camera[6]};
     shot.probe.name = from.at("probe");
     shot.set = from.at("set").get<decltype(shot.set)>();
-    shot.calls.file = from.at("calls_file");
-    shot.calls.texts = from.at("calls").get<std::vector<std::string>>();
-    shot.calls.includes = from.at("calls_include").get<std::vector<std::string>>();
+    if (from.contains("calls")) {
+        const json& calls = from.at("calls");
+        shot.calls = {calls.at("file"), calls.at("texts"), calls.at("includes")};
+    }
     return shot;
 }
 
