@@ -5,6 +5,7 @@
 #include "framework/core/base/file.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/originality_page.h"
 #include "framework/staff/pages/question_pages.h"
 #include "framework/staff/pages/student_page.h"
 #include "framework/staff/pages/summaries.h"
@@ -448,6 +449,29 @@ TEST(Pages, AxeFindsNothing) {
         browser().open(page);
         EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
     }
+}
+
+TEST(Pages, OfSharedCodeAreLegibleForEverybody) {
+    const TemporaryFolder folder;
+    const std::string file = "shaders/02_normal_map_storage/task.glsl", text = "float f() {\n    return 1.0;\n}\n";
+    grade::OriginalityReport report;
+    for (const char* name : {"jane", "joe", "eve"}) report.authors.push_back({.name = name, .files = {{file, text}}});
+    grade::SharedTask shared{.task = "2.1", .file = file, .bits = 30, .shared = 5, .rare = 3};
+    for (grade::SharedSide& side : shared.sides)
+        side = {
+            .share = 0.5, .lines = {{1, 2}}, .ranges = {{0, 12, true}, {16, 27, false}}, .pieces = {{0, text.size()}}};
+    report.pairs = {{.authors = {0, 1}, .bits = 30, .by_chance = 1e-4, .cluster = 1, .tasks = {shared}}};
+    report.tasks = {{.id = "2.1", .title = "Bytes", .texts = 3, .known = 2, .own_tokens = 30},
+                    {.id = "2.2", .title = "A pair", .texts = 3, .known = 2, .own_tokens = 9, .is_too_short = true}};
+    report.clusters = {{0, 1}};
+    report.compared = 3, report.alarm_bits = 25.4, report.below_alarm_bits = 20, report.usual_count = 1;
+    browser().open(folder.write("originality.html", pages::originality_page(report)));
+    EXPECT_EQ(browser().accessibility_faults(), Names{});
+    for (const bool dark : {false, true}) {
+        browser().dark(dark);
+        EXPECT_EQ(browser().faint_texts(), Names{}) << (dark ? "in the dark" : "in light");
+    }
+    browser().dark(false);
 }
 
 TEST(Pages, WithQuestionsAreLegibleForEverybody) {
