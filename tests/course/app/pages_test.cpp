@@ -455,8 +455,9 @@ TEST(Pages, OfSharedCodeAreLegibleForEverybody) {
     const TemporaryFolder folder;
     const std::string file = "shaders/02_normal_map_storage/task.glsl", text = "float f() {\n    return 1.0;\n}\n";
     grade::OriginalityReport report;
-    for (const char* name : {"jane", "joe", "eve"}) report.authors.push_back({.name = name, .files = {{file, text}}});
-    grade::SharedTask shared{.task = "2.1", .file = file, .bits = 30, .shared = 5, .rare = 3};
+    for (const char* name : {"jane", "joe", "eve"})
+        report.authors.push_back({.name = name, .files = {{file, text}}, .problems = {}});
+    grade::SharedTask shared{.task = "2.1", .file = file, .bits = 30, .shared = 5, .rare = 3, .sides = {}};
     for (grade::SharedSide& side : shared.sides)
         side = {
             .share = 0.5, .lines = {{1, 2}}, .ranges = {{0, 12, true}, {16, 27, false}}, .pieces = {{0, text.size()}}};
