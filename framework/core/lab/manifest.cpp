@@ -336,6 +336,12 @@ const TaskInfo& Manifest::task(const std::string& wanted) const {
 const CheckInfo& Manifest::check(const std::string& wanted) const {
     return find_named(checks, &CheckInfo::name, "check", wanted);
 }
+const Shot& Manifest::view_of_check(const std::string& wanted) const {
+    const Shot& shot = check(wanted).shot;
+    if (shot.calls)
+        throw UsageError(fmt::format("'{}' has no view: it calls functions of {}", wanted, shot.calls.file));
+    return shot;
+}
 const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
     return find_named(mistakes, &MistakeInfo::id, "mistake", wanted);
 }

@@ -145,6 +145,8 @@ struct Manifest {
     const ProbeInfo& probe(const std::string& name) const;
     const TaskInfo& task(const std::string& id) const;
     const CheckInfo& check(const std::string& name) const;
+    /// Returns a check's shot. Also throws for a check that calls functions instead of drawing a view.
+    const Shot& view_of_check(const std::string& name) const;
     const MistakeInfo& mistake(const std::string& id) const;
     const GoldenInfo& golden(const std::string& name) const;
 };

@@ -124,7 +124,7 @@ public:
         const Manifest manifest = load_manifest(lab);
         Shot shot;
         shot.camera = manifest.camera;
-        if (!check_.empty()) shot = manifest.check(check_).shot;
+        if (!check_.empty()) shot = manifest.view_of_check(check_);
         shot_.apply(shot);
         if (!probe_.empty()) shot.probe.name = manifest.probe(probe_).name;
         make_lab(lab, shot);  // rejects a wrong knob or value before a window opens

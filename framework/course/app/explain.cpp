@@ -147,7 +147,7 @@ int explain_pixel(const ExplainArguments& arguments) {
         throw UsageError("give only one of --mistake and --submission");
     Shot shot;
     shot.camera = manifest.camera;
-    if (!arguments.check.empty()) shot = manifest.check(arguments.check).shot;
+    if (!arguments.check.empty()) shot = manifest.view_of_check(arguments.check);
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
     arguments.options.apply(shot);
     if (!arguments.probe.empty()) shot.probe.name = manifest.probe(arguments.probe).name;

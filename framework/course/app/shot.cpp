@@ -52,7 +52,7 @@ int take_shot(const ShotArguments& arguments) {
     const Manifest manifest = load_manifest(entry);
     Shot shot;
     shot.camera = manifest.camera;
-    if (!arguments.check.empty()) shot = manifest.check(arguments.check).shot;
+    if (!arguments.check.empty()) shot = manifest.view_of_check(arguments.check);
     Show show = what_to_show(arguments, shot.probe);
     if (show == Show::picture && shot.probe) show = Show::probe;
     if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // throws first if there is no such mistake

@@ -262,6 +262,8 @@ TEST(Manifest, TheExamplesOfATaskAreOneHiddenCheck) {
     EXPECT_EQ(check.shot.size, glm::ivec2(4, 1)) << "one pixel a call";
     EXPECT_EQ(manifest.probe(check.shot.probe.name).name, calls_probe);
     EXPECT_TRUE(load(with_task).checks.empty()) << "students do not get it";
+    EXPECT_EQ(message_of<UsageError>([&] { manifest.view_of_check(check.name); }),
+              "'the words of task 1.1' has no view: it calls functions of shaders/x/task.glsl");
 }
 
 // Otherwise a submission could be right in the probe, and wrong in the picture.
