@@ -84,7 +84,7 @@ struct ExampleInfo {
     std::string task;
     std::string asks;                ///< words of the task's text
     std::vector<std::string> calls;  ///< expressions; each results in a number, a bool or a vector of up to 4 numbers
-    double within = 1e-4;            ///< limit of the error of a component, relative to the larger of it and 1
+    double within = 1e-4;            ///< limit of a component's error; relative where the right value is above 1
     std::vector<Edit> edits;         ///< of the solution, so that at least one of the calls returns something else
 };
 
