@@ -167,8 +167,9 @@ bool has_values(const Image& drawn, const check::Fingerprints::Places& places) {
 }
 
 /// Mesa 25 filters smaller mip levels with other roundings: fingerprints of five checks of labs 11 and 13 do not match
-/// there, so no mistake is named by them.
+/// there, so no mistake is named by them. The same holds on a GPU.
 bool has_roundings_of_the_fingerprints() {
+    if (!is_software_renderer()) return false;
     const std::string version = describe_context().version, mesa = "Mesa ";
     const size_t at = version.find(mesa);
     return at == std::string::npos || std::atof(version.c_str() + at + mesa.size()) < 25;
@@ -189,7 +190,7 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
         const double used = check::judge(manifest_, check, result.drawn, result.expected).used;
         used_.push_back({used, check.task + " " + check.name});
         // Leaves a third of each limit, because another rasteriser may have an error 1.5 times as large.
-        if (is_of_the_course()) {
+        if (is_of_the_course() && is_software_renderer()) {
             EXPECT_LE(used, 2.0 / 3) << check.name << ": " << result.found;
         }
         const auto places = fingerprints.checks.find(i);

@@ -31,7 +31,7 @@ void GLAD_API_PTR link_to_capture(GLuint program) {
 
 void GLAD_API_PTR draw_and_capture(GLenum mode, GLint first, GLsizei count) {
     if (mode != GL_PATCHES) return draw_arrays(mode, first, count);
-    constexpr size_t room = size_t(1) << 22;
+    constexpr size_t room = size_t(1) << 25;
     const QueryName written;
     glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, captured);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, room, nullptr, GL_STREAM_READ);

@@ -1,4 +1,4 @@
-// The three backends of a context, used by context.cpp only.
+// The backends of a context, used by context.cpp only.
 #pragma once
 
 #include <memory>
@@ -15,6 +15,8 @@ std::span<const ContextKind> automatic_kinds();
 
 std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
+/// Opens a context on a hardware driver. Throws Error if there is none.
+std::unique_ptr<Context> open_gpu();
 std::unique_ptr<Context> open_hidden_window();
 
 /// Explains why the current context is below OpenGL 4.1 core. Names the driver, its OpenGL version and the environment

@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array kinds = {ContextKind::osmesa, ContextKind::egl, ContextKind::window};
+constexpr std::array kinds = {ContextKind::osmesa, ContextKind::egl, ContextKind::gpu, ContextKind::window};
 bool pinned = false, optimizes_shaders = false;
 
 std::string text_of(GLenum name) {
@@ -35,6 +35,8 @@ std::unique_ptr<Context> open_backend(ContextKind kind) {
             return open_osmesa();
         case ContextKind::egl:
             return open_egl();
+        case ContextKind::gpu:
+            return open_gpu();
         case ContextKind::window:
             break;
     }
@@ -49,6 +51,8 @@ const char* name_of(ContextKind kind) {
             return "osmesa";
         case ContextKind::egl:
             return "egl";
+        case ContextKind::gpu:
+            return "gpu";
         case ContextKind::window:
             break;
     }
@@ -88,6 +92,8 @@ std::unique_ptr<Context> open_context(ContextKind kind) {
     if (!optimizes_shaders && !std::getenv("GALLIVM_PERF")) os::set_environment("GALLIVM_PERF", "nopt");
     try {
         std::unique_ptr<Context> context = open_backend(kind);
+        if (kind == ContextKind::gpu && is_software_renderer())
+            throw Error("its driver is " + text_of(GL_RENDERER) + ", which draws on the CPU");
         watch_errors();
         take_gl_errors();
         print_event(fmt::format("context: {}, {}", name_of(kind), text_of(GL_RENDERER)));
@@ -119,6 +125,7 @@ void pin_software_renderer() {
     os::set_environment("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
     os::set_environment("LP_NATIVE_VECTOR_WIDTH", "128");
     os::set_environment("LIBGL_ALWAYS_SOFTWARE", "1");
+    draw_comparably();
     pinned = true;
 }
 

@@ -11,7 +11,8 @@
 
 namespace relief {
 
-enum class ContextKind { osmesa, egl, window };
+/// `gpu` is EGL on a hardware driver, or a hidden window's context on systems without EGL. It never is software.
+enum class ContextKind { osmesa, egl, gpu, window };
 
 /// No window can be opened: no display, no GLFW, or no driver for it.
 class NoWindow : public Error {
@@ -44,7 +45,7 @@ bool draws_without_display();
 std::string driver_variables();
 
 /// Makes Mesa's software renderer produce the same bits on every x86-64 machine, about 20 % slower. Golden pictures and
-/// marks need this. Precondition: no context of this process has been opened.
+/// marks need this. After it, EGL opens no hardware driver. Precondition: no context of this process has been opened.
 void pin_software_renderer();
 
 /// Makes Mesa's software renderer optimise the code of shaders, for a process that draws one picture many times.

@@ -37,14 +37,15 @@ bool has_extension(const char* list, std::string_view name) {
 
 class Egl final : public Context {
 public:
-    Egl() {
-        for (const EGLDisplay display : displays())
+    explicit Egl(bool only_hardware) {
+        for (const EGLDisplay display : displays(only_hardware))
             if (open(display)) {
                 Egl::make_current();
                 load_gl(reinterpret_cast<LoadFunction*>(get_address_));
                 return;
             }
         if (!refused_.empty()) throw Error(refused_);
+        if (only_hardware) throw Error("EGL finds no hardware driver" + driver_variables());
         throw Error("EGL finds no driver that draws without a surface" +
                     (driver_variables().empty() ? ": install the Debian package libgl1-mesa-dri" : driver_variables()));
     }
@@ -64,14 +65,14 @@ public:
 
 private:
     /// Hardware devices first, Mesa's surfaceless platform last. Only the latter if LIBGL_ALWAYS_SOFTWARE is set.
-    static std::vector<EGLDisplay> displays() {
+    static std::vector<EGLDisplay> displays(bool only_hardware) {
         std::vector<EGLDisplay> found;
         const auto get_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
         if (!get_display) return found;
         if (!std::getenv("LIBGL_ALWAYS_SOFTWARE"))
             for (EGLDeviceEXT device : hardware())
                 found.push_back(get_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
-        found.push_back(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+        if (!only_hardware) found.push_back(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
         return found;
     }
 
@@ -138,6 +139,7 @@ std::span<const ContextKind> automatic_kinds() {
     return kinds;
 }
 
-std::unique_ptr<Context> open_egl() { return std::make_unique<Egl>(); }
+std::unique_ptr<Context> open_egl() { return std::make_unique<Egl>(false); }
+std::unique_ptr<Context> open_gpu() { return std::make_unique<Egl>(true); }
 
 }  // namespace relief

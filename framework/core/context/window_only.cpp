@@ -11,5 +11,6 @@ std::span<const ContextKind> automatic_kinds() {
 
 std::unique_ptr<Context> open_osmesa() { throw Error("this system has no OSMesa"); }
 std::unique_ptr<Context> open_egl() { throw Error("this system has no EGL"); }
+std::unique_ptr<Context> open_gpu() { return open_hidden_window(); }
 
 }  // namespace relief

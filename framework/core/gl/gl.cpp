@@ -186,6 +186,12 @@ void load_gl(LoadFunction* load) {
     count_calls();
 }
 
+namespace {
+bool comparably = false;
+}
+void draw_comparably() { comparably = true; }
+bool draws_comparably() { return comparably; }
+
 bool is_software_renderer() {
     const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;

@@ -16,6 +16,11 @@ void load_gl(LoadFunction* load);
 /// Returns whether the current context renders on the CPU (Mesa's llvmpipe or softpipe).
 bool is_software_renderer();
 
+/// From now on, draws with what all renderers have, so that pictures of two of them can be compared: without
+/// anisotropic filtering (TextureOptions).
+void draw_comparably();
+bool draws_comparably();
+
 /// Names a GL object in debug messages and frame debuggers. Does nothing without KHR_debug.
 void label(GLenum kind, GLuint name, const std::string& text);
 

@@ -111,7 +111,7 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
-    const float anisotropy = options_.anisotropy.value_or(is_software_renderer() ? 1.0f : 8.0f);
+    const float anisotropy = options_.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
     if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && !layered && anisotropy > 1) {
         float max_anisotropy = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &max_anisotropy);

@@ -25,8 +25,8 @@ struct TextureOptions {
     /// lowest. Sampled with nearest filtering from level 0.
     int layers = 1;
     /// Maximum number of samples along the longer axis of a pixel's footprint, if the driver supports it. 1 disables
-    /// anisotropic filtering. Default: 8 on a GPU, 1 on a software renderer, where 4 samples make the whole frame of
-    /// lab 01 take four times as long.
+    /// anisotropic filtering. Default: 8 on a GPU, but 1 for draws_comparably() and on a software renderer, where 4
+    /// samples make the whole frame of lab 01 take four times as long.
     std::optional<float> anisotropy = {};
 };
 

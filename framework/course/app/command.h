@@ -40,7 +40,7 @@ public:
 };
 
 using ContextChoice = std::optional<ContextKind>;  ///< empty: OSMesa, then EGL
-constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl or window";
+constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl, gpu (egl, hardware only) or window";
 
 struct CommandEntry {
     int order;  ///< sort order in --help

@@ -12,8 +12,10 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/core/gl/gl.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
+#include "framework/course/check/allowance.h"
 #include "framework/course/check/calls.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/reach.h"
@@ -448,7 +450,7 @@ std::string task_at(const Manifest& manifest, const Place& place) {
 }
 
 CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
-                   const std::optional<Image>& expected, const LabChecker::Allowance& allowance = {}) {
+                   const std::optional<Image>& expected, Rasteriser rasteriser = Rasteriser::exact) {
     CheckRun run{{&check}};
     CheckResult& result = run.result;
     if (expected) result.expected = *expected;
@@ -468,7 +470,9 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
             refuse_unusable(run.drawn, check.shot);
             result.drawn = run.drawn;
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
-            const Image judged = allowance ? allowance(check, result.drawn, result.expected) : result.drawn;
+            const std::string& probe = check.shot.probe.name;
+            const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
+            const Image judged = with_allowance(rasteriser, check, metric, result.drawn, result.expected);
             said = judge(manifest, check, judged, result.expected);
             if (said.outcome == Outcome::wrong)
                 if (auto relation = relation_of(manifest, check, judged, result.expected,
@@ -518,23 +522,29 @@ struct LabChecker::Memory {
     const Manifest& manifest;
     OtherShaders others;
     Fingerprints fingerprints;
-    Allowance allowance;
+    Rasteriser rasteriser;
     std::vector<Judgement> said = {};
     Samples drawn = {};
 };
 
-LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, Allowance allowance)
-    : memory_(
-          new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest), std::move(allowance)}) {
+std::string renderer_of_context() {
+    if (!glGetString) return {};
+    const auto* const name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name ? name : "";
+}
+
+LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, const std::string& renderer)
+    : memory_(new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest),
+                         rasteriser_of(renderer)}) {
     memory_->said.resize(manifest.checks.size(), {.outcome = Outcome::passed});
 }
 LabChecker::~LabChecker() = default;
 
 CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) {
-    auto& [lab, manifest, others, fingerprints, allowance, said, drawn] = *memory_;
+    auto& [lab, manifest, others, fingerprints, rasteriser, said, drawn] = *memory_;
     const std::string& file = manifest.task(manifest.checks[check].task).file;
     const std::string beyond = what_reaches_beyond(file, others);
-    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected, allowance)
+    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected, rasteriser)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
     said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at, run.result.relation};
     drawn.erase(check);
@@ -544,7 +554,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
 }
 
 Advice LabChecker::advice() const {
-    const auto& [lab, manifest, others, fingerprints, allowance, said, drawn] = *memory_;
+    const auto& [lab, manifest, others, fingerprints, rasteriser, said, drawn] = *memory_;
     std::set<std::string> recognised;
     for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
     const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);

@@ -129,15 +129,16 @@ struct Advice {
     void apply(size_t check, CheckResult& result) const;
 };
 
+/// Returns the name of the current context's renderer. Returns an empty name without a context.
+std::string renderer_of_context();
+
 /// Runs a lab's checks one at a time, in any order and any number of times. Reads the task files at each run; reads the
 /// lab's other shaders and its fingerprints once. Knows no mistakes if the file of fingerprints is damaged. The
 /// manifest must outlive the checker.
 class LabChecker {
 public:
-    /// Returns the picture to judge instead of the drawn one.
-    using Allowance = std::function<Image(const CheckInfo& check, const Image& drawn, const Image& expected)>;
-
-    LabChecker(const LabEntry& lab, const Manifest& manifest, Allowance allowance = {});
+    /// `renderer` is the name of the renderer that draws, see with_allowance(). Default: that of the current context.
+    LabChecker(const LabEntry& lab, const Manifest& manifest, const std::string& renderer = renderer_of_context());
     ~LabChecker();
 
     /// Like run_check(), but the outcome is `broken` if the task's shader reaches_beyond() its functions.

@@ -15,8 +15,8 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
+#include "framework/course/check/allowance.h"
 #include "framework/course/check/check.h"
-#include "framework/course/web/allowance.h"
 #include "framework/course/web/webgl.h"
 
 namespace relief::web {
@@ -37,11 +37,7 @@ struct OpenLab {
         : entry(from),
           manifest(check::manifest_to_check(from)),
           lab(from.make()),
-          checker(from, manifest, [this](const CheckInfo& check, const Image& drawn, const Image& expected) {
-              const std::string& probe = check.shot.probe.name;
-              const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
-              return with_allowance(rasteriser_of(renderer_name()), check, metric, drawn, expected);
-          }) {}
+          checker(from, manifest, renderer_name()) {}
 };
 
 std::unique_ptr<OpenLab>& opened() {
@@ -141,7 +137,7 @@ Shot shot_of(const json& request) {
 /// Returns what a check found, or why it says nothing.
 std::string found_by(const check::CheckResult& result) {
     const bool is_judged = !result.check->fine || result.outcome != check::Outcome::passed ||
-                           rasteriser_of(renderer_name()) != Rasteriser::coarse;
+                           check::rasteriser_of(renderer_name()) != check::Rasteriser::coarse;
     return is_judged ? result.found : "this browser draws too coarsely for this check: your teacher's grader runs it";
 }
 

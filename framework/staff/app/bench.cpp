@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct BenchArguments {
     std::vector<std::string> topics, set;
-    std::string output, repeats, context = "auto";
+    std::string output, repeats, size, context = "auto";
     bool quick = false, work = false, update = false;
 };
 
@@ -56,6 +56,13 @@ Wanted wanted_of(const std::vector<std::string>& texts) {
 
 measure::BenchSettings settings_of(const BenchArguments& arguments) {
     measure::BenchSettings settings{.repeats = arguments.quick ? 3 : 15, .quick = arguments.quick, .pictures = true};
+    if (!arguments.size.empty()) {
+        const std::optional<int> side = parse_int(arguments.size);
+        if (!side || *side < 64 || *side > 4096)
+            throw UsageError(fmt::format(
+                "--size takes a whole number from 64 to 4096, not '{}': pictures of N x N pixels", arguments.size));
+        settings.size = glm::ivec2(*side);
+    }
     if (arguments.repeats.empty()) return settings;
     const int fewest = arguments.quick ? 1 : 10;
     const std::optional<int> repeats = parse_int(arguments.repeats);
@@ -194,6 +201,10 @@ int run_bench(const BenchArguments& arguments) {
     std::vector<std::vector<measure::BenchScene>> scenes;
     for (const measure::BenchTopic* topic : topics)
         scenes.push_back(measure::filter_scenes(*topic, topic->scenes(settings), wanted));
+    if (settings.size)
+        for (size_t i = 0; i < topics.size(); ++i)
+            for (measure::BenchScene& scene : scenes[i])
+                if (topics[i]->draws) scene.knobs.emplace_back("pixels", fmt::format("{0}x{0}", settings.size->x));
     const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);
     make_folder(folder);
 
@@ -240,6 +251,7 @@ public:
                        "sweep only these values: map=bricks,posts or method=linear; may be repeated");
         options.value("--repeats", "N", bench_.repeats,
                       "runs of each method, interleaved, 10 or more [15; with --quick 3]");
+        options.value("--size", "N", bench_.size, "draw pictures of N x N pixels [512; with --quick 256]");
         options.value("--context", "NAME", bench_.context, context_help);
         options.flag("--quick", bench_.quick, "few scenes and small sizes, for a first look");
         options.flag("--work", bench_.work,

@@ -9,7 +9,7 @@ namespace {
 
 Shot shell_shot(const BenchSettings& settings, BenchKnobs set) {
     Shot shot;
-    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("07")).camera;
+    shot.size = settings.frame_size(), shot.camera = load_manifest(find_lab("07")).camera;
     shot.set = std::move(set), shot.set.emplace_back("view", "one");
     return shot;
 }

@@ -36,7 +36,8 @@ struct BenchSweep {
     std::vector<Place> places = {};  ///< in ascending order of hardness
 };
 
-/// A method that is ready to run. `run` owns its data; it is empty in a topic without times.
+/// A method that is ready to run. `run` owns its data; it is empty in a topic without times. In a topic that draws, the
+/// GPU's work need not be finished when `run` returns.
 struct BenchSubject {
     size_t items = 1;           ///< processed by one run
     double bytes_per_item = 0;  ///< read and written, or stored; 0: unknown
@@ -64,8 +65,12 @@ struct BenchScene {
 };
 
 struct BenchSettings {
-    int repeats = 15;       ///< samples per method; 0: measure only work and error
-    bool quick = false;     ///< few scenes and small sizes, for a first look
+    int repeats = 15;                     ///< samples per method; 0: measure only work and error
+    bool quick = false;                   ///< few scenes and small sizes, for a first look
+    std::optional<glm::ivec2> size = {};  ///< of the pictures that are timed, in pixels
+
+    /// Returns `size`, or 512 x 512, 256 x 256 with `quick`.
+    glm::ivec2 frame_size() const { return size.value_or(glm::ivec2(quick ? 256 : 512)); }
     bool pictures = false;  ///< also make pictures and error maps for the page
 };
 
@@ -102,7 +107,7 @@ BenchError error_figures(std::vector<double> errors, std::string unit);
 
 /// Returns the seconds that `times` runs take.
 using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
-/// Uses the wall clock. Precondition: a run has finished its work when it returns, so drawing ends with glFinish.
+/// Uses the wall clock. Precondition: a run has finished its work when it returns.
 double by_wall_clock(const std::function<void()>& run, size_t times);
 
 /// Times several subjects in turns. Each round takes one sample of every subject, in a new order, so that other load on

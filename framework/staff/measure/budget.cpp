@@ -1,6 +1,6 @@
-// An error budget on lab 17's wall, which reaches the horizon, at 512 x 512 pixels. Compares the cheapest method per
-// patch and pixel with each method alone. Times both the probe `uv` (the search and little else) and the picture. The
-// error is the number of pixels by which the relief would have to move to make the picture correct.
+// An error budget on lab 17's wall, which reaches the horizon, at 512 x 512 pixels (or --size). Compares the cheapest
+// method per patch and pixel with each method alone. Times both the probe `uv` (the search and little else) and the
+// picture. The error is the number of pixels by which the relief would have to move to make the picture correct.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace relief::measure {
 namespace {
 
-constexpr glm::ivec2 size{512, 512};
+constexpr glm::ivec2 usual_size{512, 512};    // with --quick, too
 constexpr double depth = 0.03, texels = 512;  // depth in metres; texels per metre
 
 /// The wall with its height map, which is created on demand.
@@ -59,7 +59,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                 scene.methods.push_back(
                     {name, knobs, [=] {
                          const LabEntry& entry = find_lab("17");
-                         Shot shot{.size = size,
+                         Shot shot{.size = settings.size.value_or(usual_size),
                                    .time = 0,
                                    .camera = load_manifest(entry).camera,
                                    .probe = {"uv"},
@@ -99,7 +99,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic budget_topic() {
-    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels; taps are heights read per pixel",
+    return {"budget", "lab 17's wall within a budget of pixels; taps are heights read per pixel",
             "Which method keeps a budget of pixels in the least time?", scenes, true};
 }
 

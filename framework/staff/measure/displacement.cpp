@@ -1,4 +1,4 @@
-// Displacement at 512 x 512 pixels, in four parts:
+// Displacement at 512 x 512 pixels (or --size), in four parts:
 // - Levels of lab 14 on hilly ground: time against the screen distance of surface points from their correct positions.
 // - The gain by culling.
 // - Spacings of lab 13 on a torus of stones: `wrong` is the share of pixels that differ from the outline of
@@ -20,7 +20,8 @@
 namespace relief::measure {
 namespace {
 
-constexpr glm::ivec2 size{512, 512};
+constexpr glm::ivec2 usual_size{512, 512};  // with --quick, too
+glm::ivec2 size_of(const BenchSettings& settings) { return settings.size.value_or(usual_size); }
 
 /// Returns the errors of a shot of the probe `place`, one for each pixel with a surface, from the top left. The shot of
 /// `depth` is taken on demand.
@@ -39,7 +40,8 @@ Image map_of(const std::vector<double>& errors, const Image& place) {
 BenchMethod of_lab(const char* number, const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set,
                    const Orbit& camera, const ErrorsOf& errors_of, const FiguresOf& figures_of,
                    const BenchSettings& settings) {
-    const Shot shot{.size = size, .time = 0, .camera = camera, .probe = {"place"}, .set = together(set, knobs)};
+    const Shot shot{
+        .size = size_of(settings), .time = 0, .camera = camera, .probe = {"place"}, .set = together(set, knobs)};
     return {name, knobs, [=] {
                 const std::shared_ptr<Lab> lab = make_lab(find_lab(number), shot);
                 BenchSubject subject = drawn(lab, shot);
@@ -181,20 +183,20 @@ BenchScene levels(const BenchSettings& settings) {
     if (settings.quick) return scene;
     add("uniform", "level", {"32"});
     for (const int n : {4, 8, 16})
-        scene.methods.push_back({"mesh", {{"squares", fmt::format("{0}x{0}", n)}}, [ground, n] {
-                                     const DisplacedSurface& surface = ground->surface;
-                                     const auto mesh = std::make_shared<TessellatedMesh>(
-                                         micro_polygons(surface.patches(), ground->field(), double(surface.scale()), n),
-                                         n);
-                                     const auto draw = [mesh, ground](const Target& target) {
-                                         mesh->draw(target, Camera(ground->camera, 1));
-                                     };
-                                     BenchSubject subject = drawn(TargetKind::probe, size, draw);
-                                     const Target target(TargetKind::probe, size);
-                                     draw(target);
-                                     subject.error = pixels_off(ground->off(target.read()));
-                                     return subject;
-                                 }});
+        scene.methods.push_back(
+            {"mesh", {{"squares", fmt::format("{0}x{0}", n)}}, [ground, n, size = size_of(settings)] {
+                 const DisplacedSurface& surface = ground->surface;
+                 const auto mesh = std::make_shared<TessellatedMesh>(
+                     micro_polygons(surface.patches(), ground->field(), double(surface.scale()), n), n);
+                 const auto draw = [mesh, ground](const Target& target) {
+                     mesh->draw(target, Camera(ground->camera, 1));
+                 };
+                 BenchSubject subject = drawn(TargetKind::probe, size, draw);
+                 const Target target(TargetKind::probe, size);
+                 draw(target);
+                 subject.error = pixels_off(ground->off(target.read()));
+                 return subject;
+             }});
     return scene;
 }
 
@@ -232,9 +234,10 @@ struct Torus {
     DisplacedSurface surface;
     Orbit camera{.yaw = 35, .pitch = 25, .distance = 3.4};
     std::optional<HeightField> heights;
+    glm::ivec2 size;
     Image exact;  // patch positions of the micro-polygons
 
-    Torus() {
+    explicit Torus(glm::ivec2 picture) : size(picture) {
         surface.shape = DisplacedSurface::torus;
         surface.density = 4;
         surface.depth = 0.1f;
@@ -267,7 +270,7 @@ struct Torus {
 };
 
 void add_spacings(std::vector<BenchScene>& scenes, const BenchSettings& settings) {
-    const auto torus = std::make_shared<Torus>();
+    const auto torus = std::make_shared<Torus>(size_of(settings));
     const BenchKnobs set = {{"view", "one"},  {"surface", "torus"}, {"mip", "base"}, {"corners", "4"},
                             {"patches", "4"}, {"map", "stones"},    {"size", "256"}, {"depth", "0.1"}};
     const ErrorsOf pixels = [torus](const Image& place, const auto&) { return torus->pixels(place); };
@@ -315,14 +318,17 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 std::vector<double> ground_pixels_off(const BenchKnobs& knobs) {
     static Ground ground;
-    const Shot shot{
-        .size = size, .time = 0, .camera = ground.camera, .probe = {"place"}, .set = together(ground_knobs, knobs)};
+    const Shot shot{.size = usual_size,
+                    .time = 0,
+                    .camera = ground.camera,
+                    .probe = {"place"},
+                    .set = together(ground_knobs, knobs)};
     return ground.off(render_shot(*make_lab(find_lab("14"), shot), shot));
 }
 
 BenchTopic displacement_topic() {
     return {"displacement",
-            "levels of tessellation, 512 x 512 pixels; a tenth of a ground culled; spacings, wrong: apart from the "
+            "levels of tessellation; a tenth of a ground culled; spacings, wrong: apart from the "
             "true outline",
             "How fine must triangles be to show a relief?", scenes, true};
 }

@@ -43,7 +43,6 @@ BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(co
     subject.run = [target, draw, kind] {
         draw(*target);
         if (kind != TargetKind::probe) target->resolve();
-        glFinish();
     };
     const Counters before = counters();
     // A lab may have its own query for primitives generated, and GL allows one at a time. Clipping input primitives are

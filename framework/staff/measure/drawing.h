@@ -13,8 +13,9 @@ namespace relief::measure {
 /// Concatenates the knobs of both, in this order.
 BenchKnobs together(BenchKnobs first, const BenchKnobs& second);
 
-/// Returns a subject that draws into its own target and waits with glFinish. Its work is counted in one first run: draw
-/// calls, triangles after tessellation, and the bytes of the textures that it uses, shared ones included.
+/// Returns a subject that draws into its own target; its `run` does not wait for the GPU. Its work is counted in one
+/// first run: draw calls, triangles after tessellation, and the bytes of the textures that it uses, shared ones
+/// included.
 BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(const Target&)>& draw);
 /// The same for a lab's shot. The subject shares ownership of the lab.
 BenchSubject drawn(const std::shared_ptr<Lab>& lab, const Shot& shot);

@@ -9,7 +9,7 @@ namespace {
 
 Shot court_shot(const BenchSettings& settings, const BenchKnobs& set) {
     Shot shot;
-    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("16")).camera;
+    shot.size = settings.frame_size(), shot.camera = load_manifest(find_lab("16")).camera;
     shot.set = set;
     return shot;
 }

@@ -1,5 +1,4 @@
-// Frames of each lab at 512 x 512, with the cameras of the manifest and of its reference screenshots. A frame ends with
-// glFinish.
+// Frames of each lab, with the cameras of the manifest and of its reference screenshots.
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -25,7 +24,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     for (const LabEntry& entry : registry()) {
         const Manifest manifest = load_manifest(entry);
         const auto add = [&](const std::string& name, Shot shot, const std::function<BenchError()>& error) {
-            shot.size = glm::ivec2(settings.quick ? 256 : 512);
+            shot.size = settings.frame_size();
             scene.methods.push_back({entry.folder, {{"picture", name}}, [&entry, shot, error, settings] {
                                          const std::shared_ptr<Lab> lab = make_lab(entry, shot);
                                          BenchSubject subject = drawn(lab, shot);
@@ -46,8 +45,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic frames_topic() {
-    return {"frames", "a frame of each lab at 512 x 512, and the error of its probe",
-            "How long does a frame of each lab take?", scenes, true};
+    return {"frames", "a frame of each lab, and the error of its probe", "How long does a frame of each lab take?",
+            scenes, true};
 }
 
 }  // namespace relief::measure

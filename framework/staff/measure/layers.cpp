@@ -24,7 +24,7 @@ BenchScene compared(const Comparison& comparison, const BenchSettings& settings)
                                  {{comparison.knob, value}},
                                  [=] {
                                      Shot shot;
-                                     shot.size = glm::ivec2(settings.quick ? 256 : 512);
+                                     shot.size = settings.frame_size();
                                      shot.camera = load_manifest(find_lab("19")).camera;
                                      shot.set = together(comparison.scene, {{comparison.knob, value}});
                                      // A picture of one method; `far` shows all five when nothing is probed, and so is

@@ -14,7 +14,7 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
                 const LabEntry& entry = find_lab(number);
                 const Manifest manifest = load_manifest(entry);
                 Shot shot;
-                shot.size = glm::ivec2(settings.quick ? 256 : 512);
+                shot.size = settings.frame_size();
                 shot.camera = camera;
                 shot.set = together(set, knobs);
                 const std::shared_ptr<Lab> lab = make_lab(entry, shot);
@@ -94,8 +94,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic lighting_topic() {
-    return {"lighting",
-            "pictures at 512 x 512: parts of the shading, compiled in or left out, and the normal without them",
+    return {"lighting", "parts of the shading, compiled in or left out, and the normal without them",
             "What does each part of the shading cost?", scenes, true};
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 Shot garden_shot(const BenchSettings& settings, BenchKnobs set) {
     Shot shot;
-    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("08")).camera;
+    shot.size = settings.frame_size(), shot.camera = load_manifest(find_lab("08")).camera;
     shot.set = together({{"view", "one"}}, set);
     return shot;
 }

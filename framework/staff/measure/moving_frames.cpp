@@ -27,7 +27,7 @@ BenchScene joint(const BenchKnobs& pose, const BenchSettings& settings) {
              {{"blend", way.blend}},
              [=] {
                  Shot shot;
-                 shot.size = glm::ivec2(settings.quick ? 256 : 512);
+                 shot.size = settings.frame_size();
                  shot.camera = {.yaw = -35, .pitch = 14, .distance = 2.9};
                  shot.set = together({{"view", "one"},
                                       {"shape", "tube"},
@@ -58,7 +58,7 @@ BenchScene flock(const BenchSettings& settings) {
     const auto add = [&](const char* name, const BenchKnobs& knobs) {
         scene.methods.push_back({name, knobs, [=] {
                                      Shot shot;
-                                     shot.size = glm::ivec2(settings.quick ? 256 : 512);
+                                     shot.size = settings.frame_size();
                                      shot.camera = load_manifest(find_lab("18")).camera, shot.set = knobs;
                                      const std::shared_ptr<Lab> lab = make_lab(find_lab("18"), shot);
                                      BenchSubject subject = drawn(lab, shot);

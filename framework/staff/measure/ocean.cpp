@@ -9,7 +9,7 @@ namespace {
 
 Shot sea_shot(const BenchSettings& settings, const BenchKnobs& set, const Orbit& camera) {
     Shot shot;
-    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = camera;
+    shot.size = settings.frame_size(), shot.camera = camera;
     shot.set = together({{"view", "one"}, {"displace", "false"}}, set);
     return shot;
 }

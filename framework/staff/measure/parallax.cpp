@@ -80,7 +80,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
     const auto truth = std::make_shared<std::optional<Image>>();  // the same for every search
     for (const Search& search : searches()) {
         Shot shot;
-        shot.size = glm::ivec2(settings.quick ? 256 : 512);
+        shot.size = settings.frame_size();
         shot.probe = {"uv"};
         shot.set = together(together(search.set, search.knobs), {{"view", "one"}, {"extent", "10"}, {"depth", "0.08"}});
         shot.set = together(shot.set, map);
@@ -126,8 +126,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic parallax_topic() {
-    return {"parallax",
-            "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at",
+    return {"parallax", "searches of a relief; taps are heights read, visits cells or blocks looked at",
             "Which search finds the relief soonest, and how far off is it?", scenes, true};
 }
 

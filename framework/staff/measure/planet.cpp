@@ -60,7 +60,7 @@ BenchScene frames(const BenchSettings& settings) {
         scene.methods.push_back(
             {name, knobs, [=] {
                  Shot shot;
-                 shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("09")).camera;
+                 shot.size = settings.frame_size(), shot.camera = load_manifest(find_lab("09")).camera;
                  shot.set = together(
                      {{"view", "planet"}, {"eye", "ground"}, {"altitude", "-1"}, {"tilt", "-35"}, {"texels", "32"}},
                      knobs);

@@ -10,7 +10,8 @@
 
 namespace relief::measure {
 
-/// Returns the GPU's time from the first command to the last, in seconds, by timer queries. Needs a context.
+/// Returns the GPU's time for the commands of all runs, in seconds, by timer queries. The time in which the GPU waits
+/// between two runs does not count. Needs a context.
 double by_gpu_clock(const std::function<void()>& run, size_t times);
 
 struct BenchRun {

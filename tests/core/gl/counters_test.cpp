@@ -74,8 +74,8 @@ TEST(GlErrors, AreReportedOnceWithTheirText) {
     glEnable(0xFFFF);
     const std::string text = take_gl_errors();
     EXPECT_NE(text.find("GL_INVALID_ENUM"), std::string::npos) << text;
-    if (GLAD_GL_KHR_debug) {
-        EXPECT_NE(text.find("glEnable"), std::string::npos) << "the driver says where: " << text;
+    if (GLAD_GL_KHR_debug && is_software_renderer()) {
+        EXPECT_NE(text.find("glEnable"), std::string::npos) << "Mesa says where: " << text;
     }
     EXPECT_EQ(take_gl_errors(), "");
 }

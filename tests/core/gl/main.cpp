@@ -1,5 +1,6 @@
 // Runs a program of GL tests in one context: `--context osmesa`, `--context egl`, or `--context auto`, which is OSMesa
-// where it is installed. The renderer is pinned, so that every machine produces the same bits.
+// where it is installed. The software renderer is pinned, so that every machine produces the same bits. `--context gpu`
+// runs them on a hardware driver: by hand, since no test machine has one.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -24,12 +25,13 @@ class NoErrorLeft final : public testing::EmptyTestEventListener {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     if (argc != 3 || std::strcmp(argv[1], "--context") != 0) {
-        std::fprintf(stderr, "usage: %s --context osmesa|egl|auto\n", argv[0]);
+        std::fprintf(stderr, "usage: %s --context osmesa|egl|auto|gpu\n", argv[0]);
         return 2;
     }
     try {
-        relief::pin_software_renderer();
-        const auto context = relief::open_context(relief::context_kind(argv[2]));
+        const std::optional<relief::ContextKind> kind = relief::context_kind(argv[2]);
+        kind == relief::ContextKind::gpu ? relief::draw_comparably() : relief::pin_software_renderer();
+        const auto context = relief::open_context(kind);
         std::printf("%s: %s\n", argv[2], relief::describe_context().driver().c_str());
         testing::UnitTest::GetInstance()->listeners().Append(new NoErrorLeft);
         return RUN_ALL_TESTS();

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "framework/core/gl/gl.h"
 #include "framework/core/gl/object.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/kit/numbers.h"
@@ -68,9 +69,10 @@ TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
                     if (block.indices[texel] < 2) largest_at_ends = std::max(largest_at_ends, off);
                 }
         // Both ends are exact. Mesa's renderer computes the values between them in integers, with rounded weights: it
-        // is off by up to 1.6 steps.
-        EXPECT_LE(largest * high, 1.601) << "kind " << int(kind);
-        EXPECT_LE(largest_at_ends, 1e-6) << "kind " << int(kind);
+        // is off by up to 1.6 steps. An NVIDIA H200 (driver 580.159) has weights of its own, such as 96/257 for 2/5.
+        const bool in_software = is_software_renderer();
+        EXPECT_LE(largest * high, in_software ? 1.601 : 6.8) << "kind " << int(kind);
+        EXPECT_LE(largest_at_ends, in_software ? 1e-6 : 2e-5) << "kind " << int(kind);
     }
 }
 

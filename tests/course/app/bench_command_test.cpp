@@ -69,6 +69,7 @@ TEST_F(BenchCommand, SuggestsTheNearestValidArgument) {
     };
     EXPECT_TRUE(contains(said({"tangent"}), "did you mean 'tangents'"));
     EXPECT_TRUE(contains(said({"--repeats", "9"}), "from 10 to 1000"));
+    EXPECT_TRUE(contains(said({"--size", "512x512"}), "--size takes a whole number from 64 to 4096, not '512x512'"));
     EXPECT_TRUE(contains(said({"--quick", "--repeats", "0"}), "from 1 to 1000"));
     EXPECT_TRUE(contains(said({"parallax", "--set", "map=brick"}), "choose from bricks, stones, posts"));
     EXPECT_TRUE(contains(said({"parallax", "--set", "maps=bricks"}), "did you mean 'map'"));

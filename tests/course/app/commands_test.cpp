@@ -190,6 +190,16 @@ TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
                    "there is no display");
 }
 
+TEST_F(CourseTest, TheContextOfAGpuNeverDrawsInSoftware) {
+    const TemporaryFolder no_drivers;
+    for (const std::string command : {"shot", "golden"})
+        expect_failure(course().relief({command, "1", "--context", "gpu"},
+                                       {{}, {{"__EGL_VENDOR_LIBRARY_DIRS", no_drivers.path().string()}}}),
+                       "no gpu context: EGL finds no hardware driver");
+    expect_failure(course().relief({"golden", "1", "--context", "gpu", "--update"}),
+                   "--update needs the software renderer: leave out --context gpu");
+}
+
 TEST_F(CourseTest, AnOldDriverIsReportedWithItsVersionAndTheVariablesThatChoseIt) {
     for (const std::string context : {"osmesa", "egl"}) {
         if (context == "osmesa" && !has_osmesa) continue;

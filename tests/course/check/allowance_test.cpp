@@ -1,11 +1,11 @@
 // What a check in a browser allows: a shift of less than a pixel, and nothing else.
-#include "framework/course/web/allowance.h"
+#include "framework/course/check/allowance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace relief::web {
+namespace relief::check {
 namespace {
 
 /// A picture of one channel from a function of the place.
@@ -111,4 +111,4 @@ TEST(Allowance, OnlyACoarseRendererLeavesFineChecksToTheGrader) {
 }
 
 }  // namespace
-}  // namespace relief::web
+}  // namespace relief::check

@@ -1,10 +1,10 @@
-#include "framework/course/web/allowance.h"
+#include "framework/course/check/allowance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace relief::web {
+namespace relief::check {
 namespace {
 
 /// The values of a channel of a pixel and its neighbours.
@@ -89,4 +89,4 @@ Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric me
     return result;
 }
 
-}  // namespace relief::web
+}  // namespace relief::check

@@ -1,5 +1,5 @@
-// What a check in a browser allows for the renderer, which a page cannot choose. Renderers draw a surface at slightly
-// different places, and differ in their filters and derivatives.
+// What a check allows for the renderer where it cannot choose one: in a browser, and in a window on a GPU. Renderers
+// draw a surface at slightly different places, and differ in their filters and derivatives.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 #include "framework/core/image/image.h"
 #include "framework/core/lab/manifest.h"
 
-namespace relief::web {
+namespace relief::check {
 
 /// How a renderer draws: `exact` like the one that drew the expected pictures (Mesa's llvmpipe); `usual` like a GPU;
 /// `coarse` with vertices on a grid of 1/16 pixel, 16 times as wide as usual (SwiftShader), which changes the slopes of
@@ -35,4 +35,4 @@ Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metr
 /// limit the largest error. NaN and not_written stay, and so do surfaces in only one of both pictures.
 Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share);
 
-}  // namespace relief::web
+}  // namespace relief::check
