@@ -46,11 +46,27 @@ public:
         return normals ? unsigned(normal_map) : 0;
     }
 
-private:
+    /// Adds a note that names the words of a material's file that have no effect on the picture.
+    void unused_words(const Material& material) {
+        constexpr std::array<std::string_view, 14> used = {"Kd",   "Ks",   "Ke",       "Ns",      "d",
+                                                           "Tr",   "norm", "map_Kd",   "map_Ks",  "map_d",
+                                                           "bump", "-bm",  "map_bump", "map_Bump"};
+        std::vector<std::string> unused;
+        for (const std::string& word : material.words)
+            if (std::find(used.begin(), used.end(), word) == used.end()) unused.push_back(word);
+        if (unused.empty()) return;
+        const std::string last = unused.back();
+        unused.pop_back();
+        note(material, unused.empty() ? fmt::format("{} of '{}' has no effect here", last, material.name)
+                                      : fmt::format("{} and {} of '{}' have no effect here", fmt::join(unused, ", "),
+                                                    last, material.name));
+    }
+
     void note(const Material& material, const std::string& message) {
         if (notes_.size() < 20) notes_.push_back(Error({material.file.filename(), material.line}, message).what());
     }
 
+private:
     const std::function<MapKind(const Image&)>& kind_of_;
     std::vector<std::string>& notes_;
     std::map<std::string, MapKind> kinds_;
@@ -79,6 +95,7 @@ Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(con
             piece.material.diffuse = glm::vec3(0.6f);
         }
         const Material& material = piece.material;
+        maps.unused_words(material);
         if (material.opacity == 0) continue;
         if (material.opacity < 1) piece.features |= glass;
         if (with_maps) {
@@ -86,10 +103,13 @@ Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(con
             piece.highlights = maps.asset(material, "map_Ks", material.specular_map);
             piece.mask = maps.asset(material, "map_d", material.opacity_map);
             piece.bumps = maps.asset(material, "norm", material.normal_map);
-            if (!piece.bumps.empty())
+            if (!piece.bumps.empty()) {
                 piece.features |= normal_map;
-            else if (piece.bumps = maps.asset(material, "map_bump", material.bump_map); !piece.bumps.empty())
+                if (!material.bump_map.empty())
+                    maps.note(material, fmt::format("map_bump of '{}' is left out: norm is there", material.name));
+            } else if (piece.bumps = maps.asset(material, "map_bump", material.bump_map); !piece.bumps.empty()) {
                 piece.features |= maps.bump(material, piece.bumps);
+            }
             if (!piece.colors.empty()) piece.features |= color_map;
             if (!piece.highlights.empty()) piece.features |= highlight_map;
             if (!piece.mask.empty()) piece.features |= mask_map;

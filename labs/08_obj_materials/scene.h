@@ -53,7 +53,8 @@ struct Scene {
     Mesh mesh;                  ///< with tangents along growing u
     std::vector<Piece> pieces;  ///< in the order of the file, without invisible ones (opacity 0)
     int programs = 0;
-    std::vector<std::string> notes;  ///< about omitted and substituted parts, "file:line: message"
+    /// About omitted and substituted parts, and words of the files that have no effect, "file:line: message".
+    std::vector<std::string> notes;
 };
 
 /// Returns the scene of a model. Without `with_maps` materials keep their numbers only. `kind_of` decides how map_bump

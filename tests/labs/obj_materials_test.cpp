@@ -143,6 +143,19 @@ TEST(ObjMaterials, MissingMaterialsAreGreyAndMissingMapsLeftOutWithANote) {
     EXPECT_GT(light.pixel(64, 120)[0], 0.2f);
 }
 
+TEST(ObjMaterials, WordsWithoutEffectAreNamedInANote) {
+    EXPECT_TRUE(scene_of("Kd 1 0 0\nKs 1 1 1\nKe 1 0 0\nNs 9\nd 0.5\n").notes.empty());
+    EXPECT_TRUE(scene_of("map_Kd -bm 2 none.png\n").notes.at(0).ends_with("none.png is not there"));
+    EXPECT_EQ(scene_of("illum 2\n").notes, std::vector<std::string>{"model.mtl:1: illum of 'a' has no effect here"});
+    const Scene scene = scene_of(
+        "Ka 1 1 1\nillum 2\nTf 1 0 0\nillum 1\nmap_Ka a.png\nmap_Ke a.png\nmap_Ns a.png\ndisp a.png\n"
+        "map_d -s 2 2 -o 1 -t 0 -clamp on -mm 0 1 -texres 64 none.png\n");
+    ASSERT_EQ(scene.notes.size(), 2u) << "and the missing map";
+    EXPECT_EQ(scene.notes[0],
+              "model.mtl:1: Ka, illum, Tf, map_Ka, map_Ke, map_Ns, disp, -s, -o, -t, -clamp, -mm and -texres of 'a' "
+              "have no effect here");
+}
+
 TEST(ObjMaterials, AnInvalidFileThrowsAOneLineError) {
     try {
         make_scene(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 9\n", "", "m/bad.obj"), true, kind_of);
