@@ -209,6 +209,38 @@ map_Kd bricks_albedo.png
 map_bump quilt_object.png
 )";
 
+/// A lawn with a normal map, and a hedge whose mask is in its colours.
+std::string lawn_obj() {
+    Model model("A lawn with a normal map, and a hedge with alpha in its colours", "lawn.mtl");
+    model.material("Lawn");
+    model.quad({-12, 0, 12}, {24, 0, 0}, {0, 0, -24}, {0, 0}, {10, 10});
+    model.material("Hedge");
+    constexpr double ivy = 1.1;
+    for (const double z : {-1.2, -1.5, -1.8})
+        model.quad({-3 + 0.4 * z, 0, z}, {6, 0, 0}, {0, 1.1, 0}, {z, 0}, {z + 6 / ivy, 1});
+    model.material("Brick");
+    for (const double x : {-2.6, 1.9}) model.box({x, 0, -0.9}, {x + 0.5, 1.2, -0.4});
+    return model.text();
+}
+
+constexpr const char* lawn_mtl = R"(# Materials of lawn.obj. Written by assets/garden.cpp.
+newmtl Lawn
+Ka 1 1 1
+illum 2
+map_Kd -clamp off grass_albedo.png
+norm grass_normal.png
+
+# No map_d: the fourth channel of the colours is the mask.
+newmtl Hedge
+map_Kd ivy_with_alpha.png
+
+newmtl Brick
+Tf 1 1 1
+map_Kd bricks_albedo.png
+map_Ks bricks_specular.png
+map_bump bricks_normal.png
+)";
+
 /// Fences one behind the other, and a wet pier; no bump maps.
 std::string fence_obj() {
     Model model("Four fences, a pier and a pane", "fence.mtl");
@@ -285,7 +317,8 @@ Tr 0.0
 std::vector<std::pair<std::string, std::string>> make_garden() {
     return {{"garden.obj", garden_obj()}, {"garden.mtl", garden_mtl}, {"ground.obj", ground_obj()},
             {"ground.mtl", ground_mtl},   {"fence.obj", fence_obj()}, {"fence.mtl", fence_mtl},
-            {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}};
+            {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}, {"lawn.obj", lawn_obj()},
+            {"lawn.mtl", lawn_mtl}};
 }
 
 }  // namespace relief

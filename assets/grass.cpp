@@ -1,14 +1,16 @@
 #include "assets/grass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assets/surface.h"
 
 namespace relief {
 
-Image make_grass() {
+GrassMaps make_grass() {
     constexpr int n = grass_texels;
-    Image light(n, n, 3);
+    Image light(n, n, 3), heights(n / 2, n / 2, 1);
     const glm::vec3 soil = light_of(34, 33, 22);
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x)
@@ -34,13 +36,17 @@ Image make_grass() {
                     const float cover =
                         glm::clamp(wide + 0.5f - glm::length(glm::vec2(texel) + 0.5f - place), 0.0f, 1.0f);
                     if (cover <= 0) continue;
-                    float* into = light.pixel(((texel.x % n) + n) % n, ((texel.y % n) + n) % n);
+                    const glm::ivec2 wrapped = ((texel % n) + n) % n;
+                    float* into = light.pixel(wrapped.x, wrapped.y);
                     const glm::vec3 lit = color * (0.7f + 0.5f * at / length);
                     for (int c = 0; c < 3; ++c) into[c] = glm::mix(into[c], lit[c], 0.6f * cover);
+                    float& height = *heights.pixel(wrapped.x / 2, wrapped.y / 2);
+                    // A blade bends up from its foot, and the middle of it is higher than its edges.
+                    height = std::max(height, cover * (0.3f + 0.4f * high + 0.3f * at / length));
                 }
         }
     }
-    return stored_albedo(light);
+    return {.albedo = stored_albedo(light), .heights = std::move(heights)};
 }
 
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include "assets/bricks.h"
 #include "assets/surface.h"
 #include "framework/core/base/parallel.h"
+#include "framework/core/image/color.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief {
@@ -59,6 +60,23 @@ Image make_leaf_colors() {
             for (int c = 0; c < 3; ++c) light.pixel(x, y)[c] = color[c];
         }
     return stored_albedo(light);
+}
+
+Image make_leaves_with_alpha() {
+    const Image colors = make_leaf_colors(), mask = make_leaf_mask();
+    Image both(side / 2, side / 2, 4, 8);
+    for (int y = 0; y < side / 2; ++y)
+        for (int x = 0; x < side / 2; ++x)
+            for (int c = 0; c < 4; ++c) {
+                double sum = 0;
+                for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+                    const glm::ivec2 from(2 * x + dx, 2 * y + dy);
+                    sum += c < 3 ? linear_from_srgb(double(colors.pixel(from.x, from.y)[c]))
+                                 : double(*mask.pixel(from.x, from.y));
+                }
+                both.pixel(x, y)[c] = float(c < 3 ? srgb_from_linear(sum / 4) : sum / 4);
+            }
+    return both;
 }
 
 Image make_brick_highlights() {

@@ -17,12 +17,18 @@ std::vector<NamedTexture> make_textures(const std::string& surface) {
                 {"quilt_world.png", ColorSpace::linear, std::move(maps.world)},
                 {"quilt_tangent.png", ColorSpace::linear, std::move(maps.tangent)}};
     }
-    if (surface == "garden")
-        return {{"grass_albedo.png", ColorSpace::srgb, make_grass()},
+    if (surface == "garden") {
+        GrassMaps grass = make_grass();
+        Image normals =
+            normals_from_heights(grass.heights, {.texels_u = grass_depth_in_texels, .texels_v = grass_depth_in_texels});
+        return {{"grass_albedo.png", ColorSpace::srgb, std::move(grass.albedo)},
+                {"grass_normal.png", ColorSpace::linear, std::move(normals)},
+                {"ivy_with_alpha.png", ColorSpace::srgb, make_leaves_with_alpha()},
                 {"leaves_albedo.png", ColorSpace::srgb, make_leaf_colors()},
                 {"leaves_mask.png", ColorSpace::linear, make_leaf_mask()},
                 {"wire_mask.png", ColorSpace::linear, make_wire_mask()},
                 {"bricks_specular.png", ColorSpace::linear, make_brick_highlights()}};
+    }
     if (surface == "marble") return {{"marble_albedo.png", ColorSpace::srgb, make_marble()}};
     const bool bricks = surface == "bricks";
     SurfaceMaps maps = bricks ? make_bricks() : make_paving();

@@ -13,23 +13,33 @@
 namespace relief::storage {
 namespace {
 
-/// A texture of BC5 blocks in the driver, without mip levels.
-class BlockTexture {
+/// The part of a map that the vectors are drawn for, the upper left quarter: lower left corner and size, in uv.
+constexpr glm::dvec3 quarter(0, 0.5, 0.5), whole(0, 0, 1);
+constexpr double axis_length = 0.5;  ///< of the axes in vectors.vert
+
+/// A texture in a format that Texture does not have: BC5 blocks or signed bytes. It has no mip levels.
+class StoredTexture {
 public:
-    BlockTexture(const BlockMap& map, bool is_signed) : bytes_(int64_t(map.bytes.size())) {
-        GLint bound = 0;
-        glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-        glBindTexture(GL_TEXTURE_2D, name_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        glCompressedTexImage2D(GL_TEXTURE_2D, 0, is_signed ? GL_COMPRESSED_SIGNED_RG_RGTC2 : GL_COMPRESSED_RG_RGTC2,
-                               map.width, map.height, 0, GLsizei(map.bytes.size()), map.bytes.data());
-        glBindTexture(GL_TEXTURE_2D, GLuint(bound));
-        counters().texture_bytes += bytes_;
-    }
-    ~BlockTexture() { counters().texture_bytes -= bytes_; }
-    BlockTexture(const BlockTexture&) = delete;
+    StoredTexture(const BlockMap& map, bool is_signed)
+        : StoredTexture(int64_t(map.bytes.size()), [&] {
+              const GLenum format = is_signed ? GL_COMPRESSED_SIGNED_RG_RGTC2 : GL_COMPRESSED_RG_RGTC2;
+              glCompressedTexImage2D(GL_TEXTURE_2D, 0, format, map.width, map.height, 0, GLsizei(map.bytes.size()),
+                                     map.bytes.data());
+          }) {}
+    /// Three signed bytes a texel, from unit normals.
+    explicit StoredTexture(const Image& normals)
+        : StoredTexture(int64_t(normals.values.size()), [&] {
+              std::vector<int8_t> rows;  // from the bottom to the top
+              for (int y = normals.height - 1; y >= 0; --y)
+                  for (int i = 0; i < 3 * normals.width; ++i)
+                      rows.push_back(int8_t(std::lround(127 * normals.pixel(0, y)[i])));
+              glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+              glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8_SNORM, normals.width, normals.height, 0, GL_RGB, GL_BYTE,
+                           rows.data());
+              glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+          }) {}
+    ~StoredTexture() { counters().texture_bytes -= bytes_; }
+    StoredTexture(const StoredTexture&) = delete;
 
     void bind(int unit) const {
         glActiveTexture(GLenum(GL_TEXTURE0 + unit));
@@ -37,6 +47,19 @@ public:
     }
 
 private:
+    template <class Upload>
+    StoredTexture(int64_t bytes, Upload upload) : bytes_(bytes) {
+        GLint bound = 0;
+        glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+        glBindTexture(GL_TEXTURE_2D, name_);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+        upload();
+        glBindTexture(GL_TEXTURE_2D, GLuint(bound));
+        counters().texture_bytes += bytes_;
+    }
+
     TextureName name_;
     int64_t bytes_;
 };
@@ -53,9 +76,9 @@ Image as_colors(const Image& normals, int channels) {
 
 }  // namespace
 
-/// A map in one format: in blocks, or in bytes.
+/// A map in one format: in blocks or signed bytes, or in bytes.
 struct BlockView::Stored {
-    std::unique_ptr<BlockTexture> blocks;
+    std::unique_ptr<StoredTexture> other;
     std::optional<Texture> bytes;
     double bytes_per_texel = 0;
 };
@@ -72,13 +95,18 @@ const BlockView::Stored& BlockView::stored(Format format) {
                 "a map in bytes", [image = std::move(image)] { return image; }, TextureOptions{.mips = false});
             result->bytes_per_texel = bytes_per_texel;
         };
-        if (format == bytes)
+        if (format == bytes) {
             keep_bytes(as_colors(map(), 2), 2);
-        else if (format == bc1)  // OpenGL has BC1 only as an extension, so the texture has the decoded colours
+        } else if (format == rgb8) {
+            keep_bytes(as_colors(map(), 3), 3);
+        } else if (format == rgb8_snorm || format == snorm_codes || format == snorm_twice) {
+            result->other = std::make_unique<StoredTexture>(map());
+            result->bytes_per_texel = 3;
+        } else if (format == bc1) {  // OpenGL has BC1 only as an extension, so the texture has the decoded colours
             keep_bytes(through_bc1(as_colors(map(), 3)), 0.5);
-        else {
+        } else {
             const BlockMap compressed = compress(map(), format == bc5_snorm);
-            result->blocks = std::make_unique<BlockTexture>(compressed, format == bc5_snorm);
+            result->other = std::make_unique<StoredTexture>(compressed, format == bc5_snorm);
             result->bytes_per_texel = double(compressed.bytes.size()) / double(map().pixel_count());
         }
         return std::shared_ptr<const Stored>(result);
@@ -93,7 +121,7 @@ void BlockView::set_textures(const Program& program, Format format) {
     if (map.bytes) {
         program.set("s_stored", 1, *map.bytes);
     } else {
-        map.blocks->bind(1);
+        map.other->bind(1);
         program.set("s_stored", 1);
     }
 }
@@ -111,49 +139,93 @@ const ErrorSummary& BlockView::measure(Format format) {
     });
 }
 
-void BlockView::draw(const Frame& part, glm::ivec2 size, const Tile& tile, Format format, float split, Labels& labels) {
-    const ErrorSummary error = part.probe ? ErrorSummary() : measure(format);
-    const Program& program = program_.with({formats.define(format), part.probe});
+void BlockView::draw(const Frame& part, glm::ivec2 size, const Tile& tile, const Panel& panel, float split,
+                     Labels& labels) {
+    const ErrorSummary error = part.probe || panel.look != lit_and_error ? ErrorSummary() : measure(panel.format);
+    const char* const texels = panel.look <= lit || part.probe ? "" : "TEXELS";
+    const Program& program = program_.with({formats.define(panel.format), part.probe, texels});
     glBindFramebuffer(GL_FRAMEBUFFER, part.target);
     glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
     glUseProgram(program);
-    set_textures(program, format);
+    set_textures(program, panel.format);
+    if (panel.look == heights && !part.probe)
+        program.set("s_stored", 1, heights_.get({map_}, [&] {
+            return Texture("heights", [map = height_map(MapName(map_))] { return map; }, {.mips = false});
+        }));
     program.set("u_eye", part.camera.eye());
     set_rays(program, part);
-    program.set("u_tiles", repeat_ == once ? 1.0f : 2.0f);
-    program.set("u_mirrored", repeat_ == mirrored);
-    program.set("u_split", split);
+    program.set("u_part", panel.look == field ? quarter : whole);
+    program.set("u_tiles", repeat_ == once || panel.look == field ? 1.0f : 2.0f);
+    program.set("u_mirrored", repeat_ == mirrored && panel.look != field);
+    program.set("u_split", panel.look == lit ? 2.0f : split);
     program.set("u_borders", borders_ ? 1.0f : 0.0f);
+    program.set("u_channel", panel.look == heights                         ? 0
+                             : panel.look == colors || panel.look == field ? -1
+                                                                           : panel.look - red);
     window_.draw();
-
-    constexpr std::array titles = {"BC1", "BC5", "BC5, signed", "8:8 and z"};
-    labels.caption(size, tile, 0, titles[size_t(format)]);
-    const double stored_bytes = stored(format).bytes_per_texel;
-    labels.caption(size, tile, -1,
-                   fmt::format("{} {} a texel", plain(stored_bytes), stored_bytes == 1 ? "byte" : "bytes"));
-    if (error.count > 0)
-        labels.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
+    if (part.probe) return;
+    if (panel.look == field) draw_vectors(part, size, tile, labels);
+    describe(size, tile, panel, error, labels);
 }
 
-Image BlockView::truth(const Frame& part, const Probe& probe, Format format) const {
+/// Draws a needle for each texel of the quarter, along its vector, and the axes T, B and N at the corner of the square.
+void BlockView::draw_vectors(const Frame& part, glm::ivec2 size, const Tile& tile, Labels& labels) {
+    if (part.camera.eye().z <= 0) return;  // the square hides them
+    const Program& program = vectors_.with();
+    glUseProgram(program);
+    program.set("s_stored", 1, *stored(rgb8).bytes);
+    program.set("u_clip_from_world", part.camera.clip_from_world());
+    program.set("u_size", glm::vec2(tile.size));
+    program.set("u_part", quarter);
+    const int side = int(map_size * quarter.z);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, side * side + 3);  // with the layout of window_, which is bound
+
+    constexpr std::array axes = {"T", "B", "N"};
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec4 tip(-1, -1, 0, 1);
+        tip[i] += axis_length * 1.12;
+        const glm::dvec4 clip = part.camera.clip_from_world() * tip;
+        if (clip.w <= 0) continue;
+        const glm::dvec2 place = (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(tile.size);
+        const float high = Labels::line_height(size);
+        labels.text(axes[size_t(i)], glm::vec2(tile.corner.x + place.x, size.y - tile.corner.y - place.y - 0.5 * high),
+                    high, Align::centre);
+    }
+}
+
+void BlockView::describe(glm::ivec2 size, const Tile& tile, const Panel& panel, const ErrorSummary& error,
+                         Labels& labels) {
+    labels.caption(size, tile, 0, panel.title);
+    if (error.count == 0) return;
+    const double stored_bytes = stored(panel.format).bytes_per_texel;
+    labels.caption(size, tile, -1,
+                   fmt::format("{} {} a texel", plain(stored_bytes), stored_bytes == 1 ? "byte" : "bytes"));
+    labels.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
+}
+
+Image BlockView::truth(const Frame& part, const Probe& probe, const Panel& panel) const {
     const Image& normals = map();
+    const bool is_field = panel.look == field;
+    const glm::dvec3 shown = is_field ? quarter : whole;
     return truth_of_rays(part, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const double t = -ray.origin.z / ray.direction.z;
         const glm::dvec3 place = ray.at(t);
         if (!(t > 0) || std::max(std::abs(place.x), std::abs(place.y)) >= 1) return {};
-        glm::dvec2 uv = (0.5 * glm::dvec2(place) + 0.5) * (repeat_ == once ? 1.0 : 2.0), sign(1);
+        glm::dvec2 uv = (0.5 * glm::dvec2(place) + 0.5) * (repeat_ == once || is_field ? 1.0 : 2.0), sign(1);
         for (int c = 0; c < 2; ++c) {
             const bool second = uv[c] >= 1;
             uv[c] -= second;
             if (second && repeat_ == mirrored) uv[c] = 1 - uv[c], sign[c] = -1;
         }
+        uv = glm::dvec2(shown) + shown.z * uv;
         const auto texel = [](double x) { return std::clamp(int(x * map_size), 0, map_size - 1); };
         const float* n = normals.pixel(texel(uv.x), map_size - 1 - texel(uv.y));
         const glm::dvec3 normal(n[0], n[1], n[2]);
         if (probe.name == "normal") return glm::dvec4(sign.x * normal.x, sign.y * normal.y, normal.z, 0);
-        if (format == bc5_snorm) return glm::dvec4(127.0 * normal.x, 127.0 * normal.y, 0, 0);
-        const glm::dvec3 codes = 127.5 * (normal + 1.0);
-        return glm::dvec4(codes.x, codes.y, format == bc1 ? codes.z : 0, 0);
+        const bool has_two = panel.format == bc5 || panel.format == bc5_snorm || panel.format == bytes;
+        const bool is_unsigned = panel.format <= rgb8 && panel.format != bc5_snorm;
+        const glm::dvec3 codes = is_unsigned ? 127.5 * (normal + 1.0) : 127.0 * normal;
+        return glm::dvec4(codes.x, codes.y, has_two ? 0 : codes.z, 0);
     });
 }
 

@@ -1,4 +1,4 @@
-// A normal map on a square, stored in compressed blocks and read back: lit, or its error in degrees.
+// A normal map on a square, stored in a texture's format and read back: lit, its error in degrees, or its texels.
 #pragma once
 
 #include <map>
@@ -16,31 +16,60 @@ namespace relief::storage {
 
 class BlockView {
 public:
-    /// The formats. `bytes` is two bytes a texel without blocks, for comparison.
-    enum Format { bc1, bc5, bc5_snorm, bytes };
+    /// The formats. `bytes` is two bytes a texel without blocks, for comparison. The last four have three components:
+    /// bytes, signed bytes, the codes that a shader computes for them, and signed bytes that are decoded once too
+    /// often.
+    enum Format { bc1, bc5, bc5_snorm, bytes, rgb8, rgb8_snorm, snorm_codes, snorm_twice };
     static constexpr auto formats = choices<Format>({{bc1, "bc1", "COLORS"},
                                                      {bc5, "bc5", "TWO_UNSIGNED"},
                                                      {bc5_snorm, "bc5-snorm", "TWO_SIGNED"},
-                                                     {bytes, "rg8", "TWO_UNSIGNED"}});
-    static constexpr std::array shown = {bytes, bc1, bc5, bc5_snorm};  ///< side by side
+                                                     {bytes, "rg8", "TWO_UNSIGNED"},
+                                                     {rgb8, "rgb8", "COLORS"},
+                                                     {rgb8_snorm, "rgb8-snorm", "THREE_SIGNED"},
+                                                     {snorm_codes, "snorm-codes", "CODES"},
+                                                     {snorm_twice, "snorm-twice", "SIGNED_TWICE"}});
+    /// How a tile shows the map: lit, with the error to the right of the split; only lit; its colours, or one channel
+    /// of them; the heights that belong to it; or the colours with the vectors that they stand for.
+    enum Look { lit_and_error, lit, colors, red, green, blue, heights, field };
+    /// The content of a tile.
+    struct Panel {
+        Format format;
+        Look look;
+        const char* title;
+    };
+    static constexpr std::array<Panel, 4> in_blocks = {{{bytes, lit_and_error, "8:8 and z"},
+                                                        {bc1, lit_and_error, "BC1"},
+                                                        {bc5, lit_and_error, "BC5"},
+                                                        {bc5_snorm, lit_and_error, "BC5, signed"}}};
+    static constexpr std::array<Panel, 4> signed_textures = {{{rgb8, lit_and_error, "RGB8, 2x - 1"},
+                                                              {rgb8_snorm, lit_and_error, "RGB8_SNORM, as read"},
+                                                              {snorm_codes, lit_and_error, "its codes, in the shader"},
+                                                              {snorm_twice, lit_and_error, "RGB8_SNORM, 2x - 1"}}};
+    static constexpr std::array<Panel, 6> channels = {{{rgb8, heights, "heights"},
+                                                       {rgb8, colors, "normal map"},
+                                                       {rgb8, lit, "light"},
+                                                       {rgb8, red, "red: x"},
+                                                       {rgb8, green, "green: y"},
+                                                       {rgb8, blue, "blue: z"}}};
+    static constexpr std::array<Panel, 1> vectors = {{{rgb8, field, "one vector a texel"}}};
     enum Repeat { once, wrapped, mirrored };
     static constexpr auto repeats = choices<Repeat>({{once, "once"}, {wrapped, "wrapped"}, {mirrored, "mirrored"}});
 
     void knobs(Knobs& knobs) {
         knobs.group("Blocks");
-        knobs.choice("map", map_, map_names, "normal map for the formats in blocks");
+        knobs.choice("map", map_, map_names, "normal map of every view on squares");
         knobs.choice("repeat", repeat_, repeats.names,
                      "a map in blocks once, or 2 x 2 tiles of it, each like the other or mirrored at its border");
         knobs.toggle("borders", borders_, "lines between the blocks of 4 x 4 texels, over the error");
     }
 
-    /// Draws the map into a tile of frame.target, with captions in `labels`. `part` is the frame of the tile. To the
-    /// right of `split`, in clip coordinates, the picture has the error.
-    void draw(const Frame& part, glm::ivec2 size, const Tile& tile, Format format, float split, Labels& labels);
+    /// Draws the map into a tile of frame.target, with captions in `labels`. `part` is the frame of the tile. A lit map
+    /// has the error to the right of `split`, in clip coordinates.
+    void draw(const Frame& part, glm::ivec2 size, const Tile& tile, const Panel& panel, float split, Labels& labels);
 
     /// Returns the exact values of a probe: for `normal` the map's own normals, of which a mirrored tile turns x or y
     /// around; for `stored` its codes without rounding and without blocks. +infinity beside the map.
-    Image truth(const Frame& part, const Probe& probe, Format format) const;
+    Image truth(const Frame& part, const Probe& probe, const Panel& panel) const;
 
 private:
     struct Stored;
@@ -48,11 +77,14 @@ private:
     const Image& map() const;
     const ErrorSummary& measure(Format format);
     void set_textures(const Program& program, Format format);
+    void draw_vectors(const Frame& part, glm::ivec2 size, const Tile& tile, Labels& labels);
+    void describe(glm::ivec2 size, const Tile& tile, const Panel& panel, const ErrorSummary& error, Labels& labels);
 
     Programs program_{"common/window.vert", "02_normal_map_storage/blocks.frag"};
+    Programs vectors_{"02_normal_map_storage/vectors.vert", "02_normal_map_storage/vectors.frag"};
     WindowTriangle window_;
     mutable Kept<Image, int> texels_;
-    Kept<Texture, int> exact_;
+    Kept<Texture, int> exact_, heights_;
     std::map<Format, Kept<std::shared_ptr<const Stored>, int>> stored_;
     std::map<Format, Kept<ErrorSummary, GLuint, int>> measured_;
     int map_ = 0, repeat_ = once;

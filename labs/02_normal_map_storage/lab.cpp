@@ -1,8 +1,8 @@
 // Lab 02: normal map storage.
 //
 // A sphere of directions, stored in each format and read back: lit on the left, the error in degrees on the right.
-// Or a normal map in compressed blocks. Your tasks: shaders/02_normal_map_storage/task.glsl and
-// labs/02_normal_map_storage/task.cpp
+// Or a normal map: in compressed blocks, in signed bytes, its channels, its vectors. Your tasks:
+// shaders/02_normal_map_storage/task.glsl and labs/02_normal_map_storage/task.cpp
 #include <fmt/format.h>
 
 #include <map>
@@ -26,11 +26,11 @@ namespace relief {
 class NormalMapStorage final : public Lab {
 public:
     void draw(const Frame& frame) override {
-        if (shows_blocks())
-            draw_blocks(frame);
+        if (shows_map())
+            draw_map(frame);
         else
             draw_spheres(frame);
-        if (show_ != light) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (show_ != light && shows_errors()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -42,7 +42,9 @@ public:
                                                       : storage::BlockView::formats.names[i - storage::formats.size()];
             return list;
         }();
-        knobs.choice("view", view_, views, "every format of a texel, one format, or the formats in blocks");
+        knobs.choice("view", view_, views,
+                     "every format of a texel, one format, or a map: in blocks, in signed bytes, its channels, its "
+                     "vectors");
         knobs.choice("format", format_, names,
                      "for view = one: the format of the sphere, or of a map in blocks (bc...)");
         knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
@@ -52,39 +54,51 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t i) {
-            return shows_blocks() ? block_view_.truth(part, probe, block_format_of(i))
-                                  : storage::truth(part, probe, format_of(i));
+            return shows_map() ? block_view_.truth(part, probe, panels()[i])
+                               : storage::truth(part, probe, format_of(i));
         });
     }
 
 private:
-    enum View { every, one, blocks };
-    static constexpr std::array views = {"every", "one", "blocks"};
+    enum View { every, one, blocks, snorm, channels, field };
+    static constexpr std::array views = {"every", "one", "blocks", "snorm", "channels", "field"};
     enum Show { half_and_half, light, error_map };
     static constexpr std::array shows = {"half-and-half", "light", "error"};
     static constexpr glm::ivec2 measured{512, 256};
     static constexpr size_t block_formats = 3;  ///< the first ones of BlockView::formats
 
-    bool shows_blocks() const { return view_ == blocks || (view_ == one && format_ >= int(storage::formats.size())); }
+    using BlockView = storage::BlockView;
+
+    bool shows_map() const { return view_ >= blocks || (view_ == one && format_ >= int(storage::formats.size())); }
+    /// Precondition: shows_map().
+    std::span<const BlockView::Panel> panels() const {
+        switch (view_) {
+            case blocks:
+                return BlockView::in_blocks;
+            case snorm:
+                return BlockView::signed_textures;
+            case channels:
+                return BlockView::channels;
+            case field:
+                return BlockView::vectors;
+            default:  // BlockView::in_blocks begins with two bytes, which are no format in blocks
+                return std::span(BlockView::in_blocks).subspan(size_t(format_) - storage::formats.size() + 1, 1);
+        }
+    }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        const size_t count = view_ == one      ? 1
-                             : view_ == blocks ? storage::BlockView::shown.size()
-                                               : storage::formats.size();
-        return tiles_of(size, int(count), Labels::scale_height(size));
+        const size_t count = shows_map() ? panels().size() : view_ == one ? 1 : storage::formats.size();
+        return tiles_of(size, int(count), shows_errors() ? Labels::scale_height(size) : 0);
     }
+    bool shows_errors() const { return view_ != channels && view_ != field; }
     int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
-    storage::BlockView::Format block_format_of(size_t tile) const {
-        return view_ == one ? storage::BlockView::Format(format_ - int(storage::formats.size()))
-                            : storage::BlockView::shown[tile];
-    }
     float split() const { return show_ == half_and_half ? 0.0f : show_ == light ? 2.0f : -2.0f; }
 
-    void draw_blocks(const Frame& frame) {
+    void draw_map(const Frame& frame) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i)
-            block_view_.draw(frame_in(frame, tiles[i]), frame.size, tiles[i], block_format_of(i), split(), labels_);
+            block_view_.draw(frame_in(frame, tiles[i]), frame.size, tiles[i], panels()[i], split(), labels_);
     }
 
     void draw_spheres(const Frame& frame) {
@@ -173,7 +187,7 @@ private:
     Programs sphere_{"common/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Kept<std::unique_ptr<TexelTarget>, glm::ivec2> codes_;
-    storage::BlockView block_view_;
+    BlockView block_view_;
     Labels labels_;
     std::map<int, Kept<ErrorSummary, GLuint, GLuint>> measured_;  ///< by format
 

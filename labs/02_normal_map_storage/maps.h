@@ -18,4 +18,7 @@ constexpr int map_size = 64;
 /// bits.
 Image normal_map(MapName name);
 
+/// Returns the heights of the same texels in [0, 1], one float a texel: those of which normal_map() has the slopes.
+Image height_map(MapName name);
+
 }  // namespace relief::storage

@@ -1,15 +1,22 @@
 // Lab 05: the tangent basis.
 //
-// Bricks on a coarse mesh, by the tangents of each method, with the angle to dP/du as a heat map, and frames as lines.
-// Your tasks: labs/05_tangent_basis/task.cpp and shaders/05_tangent_basis/task.glsl
+// Bricks on a coarse mesh, by the tangents of each method, with the angle to dP/du as a heat map, and frames as lines;
+// or by ways to complete T and N to a frame. Your tasks: labs/05_tangent_basis/task.cpp and
+// shaders/05_tangent_basis/task.glsl
 #include <fmt/format.h>
 
 #include <map>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
+#include "framework/core/gl/vertex_stream.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/choices.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
@@ -26,8 +33,12 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
-            labels_.caption(frame.size, tiles[i], 0, methods[size_t(method_of(i))]);
+            if (view_ == frames) {
+                draw_frame_kind(frame_in(frame, tiles[i]), frame.size, tiles[i], frame_kind_of(i));
+            } else {
+                draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
+                labels_.caption(frame.size, tiles[i], 0, methods[size_t(method_of(i))]);
+            }
         }
         if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
         labels_.draw(frame);
@@ -35,10 +46,15 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views, "the methods side by side, or one of them");
+        knobs.choice("view", view_, views,
+                     "the methods side by side, or one of them, or ways to complete T and N to a frame");
         knobs.choice("method", method_, methods, "for view = one: source of the tangent");
+        knobs.choice("frame", frame_, frame_kinds.names,
+                     "for view = frames: B by w and a cross product, averaged as T, the three made orthogonal in the "
+                     "shader, or a frame by the normal alone");
         knobs.choice_or_file("shape", shape_, own_, shapes, "shape with the bricks");
-        knobs.choice("show", show_, shows, "the light, the angle to the exact dP/du, or half of each");
+        knobs.choice("show", show_, shows,
+                     "the light, the angle to the exact dP/du (frames: of B to dP/dv), or half of each");
         knobs.toggle("lines", lines_,
                      "draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none");
         knobs.slider("line_length", line_length_, 2, 60, "length of the drawn axes, pixels");
@@ -61,11 +77,17 @@ public:
     }
 
 private:
-    enum View { every, one };
+    enum View { every, one, frames };
+    enum FrameKind { every_frame, by_w, averaged, orthogonal, normal_alone };
     enum Show { half_and_half, light, error_map };
     /// The last is no method: B of each face, for a probe.
     enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic, solved_bitangent };
-    static constexpr std::array views = {"every", "one"};
+    static constexpr std::array views = {"every", "one", "frames"};
+    static constexpr auto frame_kinds = choices<FrameKind>({{every_frame, "every"},
+                                                            {by_w, "w"},
+                                                            {averaged, "averaged", "AVERAGED"},
+                                                            {orthogonal, "orthogonal", "ORTHOGONAL"},
+                                                            {normal_alone, "normal-alone", "NORMAL_ALONE"}});
     static constexpr std::array methods = {"per-face",   "uniform",     "area",    "angle",
                                            "mikktspace", "derivatives", "analytic"};
     static constexpr std::array shapes = {"quad", "box", "cylinder", "sphere", "torus", "mirrored", "urn"};
@@ -78,16 +100,21 @@ private:
     basis::Shape shape() const { return basis::Shape(shape_); }
     /// An own model has no formula: neither an analytic tangent nor an error.
     bool is_own() const { return shape() == basis::Shape::own; }
-    bool shows_light_only() const { return show_ == light || is_own(); }
+    bool shows_light_only() const { return show_ == light || is_own() || (view_ == frames && !has_frame_formula()); }
+    /// B of the urn has no formula, and collapsed uv have no direction.
+    bool has_frame_formula() const { return !is_own() && shape() != basis::Shape::urn && !collapsed_; }
     basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
     bool has_scale() const { return !shows_light_only(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == one ? 1 : int(side_by_side.size()) - is_own(),
-                        has_scale() ? Labels::scale_height(size) : 0);
+        const int count = view_ == frames ? (frame_ == every_frame ? int(frame_kinds.size()) - 1 : 1)
+                          : view_ == one  ? 1
+                                          : int(side_by_side.size()) - is_own();
+        return tiles_of(size, count, has_scale() ? Labels::scale_height(size) : 0);
     }
+    FrameKind frame_kind_of(size_t tile) const { return FrameKind(frame_ == every_frame ? int(tile) + 1 : frame_); }
     int method_of(size_t tile) const { return view_ == one ? method_ : side_by_side[tile]; }
 
-    Mesh make(int method) const {
+    Mesh make(int method, basis::Axis axis = basis::Axis::tangent) const {
         Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
         if (collapsed_)
             for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
@@ -101,7 +128,7 @@ private:
             case area:
                 return basis::with_means(mesh, basis::Weight::area);
             case angle:
-                return basis::with_means(mesh, basis::Weight::angle);
+                return basis::with_means(mesh, basis::Weight::angle, axis);
             case mikktspace:
                 if (!basis::with_mikktspace)
                     throw Error("MikkTSpace is not in this course: it holds what tasks 5.1 to 5.3 ask for");
@@ -113,23 +140,60 @@ private:
                 return mesh;
         }
     }
+    using MeshInputs = std::tuple<int, int, int, float, float, bool, int>;
+    MeshInputs mesh_inputs() const { return {shape_, columns_, rows_, jitter_, shear_, collapsed_, own_.version()}; }
     const GpuMesh& mesh_of(int method) {
-        auto& meshes = meshes_.get({shape_, columns_, rows_, jitter_, shear_, collapsed_, own_.version()},
-                                   [] { return std::map<int, GpuMesh>(); });
+        auto& meshes = meshes_.get({mesh_inputs()}, [] { return std::map<int, GpuMesh>(); });
         return meshes.try_emplace(method, upload([this, method] { return make(method); })).first->second;
     }
 
-    void draw_surface(const Frame& frame, const Tile& tile, int method) {
+    /// Gives the mesh of method angle a B at each vertex: the mean of the triangles' B with the weights of T.
+    void attach_bitangents() {
+        bitangents_.get({mesh_inputs()}, [&] {
+            const Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
+            std::vector<glm::vec3> directions;
+            for (const Vertex& vertex : make(angle, basis::Axis::bitangent).vertices)
+                directions.emplace_back(vertex.tangent);
+            VertexStream stream({{4, 3, GL_FLOAT, 0}});
+            stream.fill(std::span<const glm::vec3>(directions));
+            stream.attach(mesh_of(angle).layout());
+            return stream;
+        });
+    }
+
+    void draw_frame_kind(const Frame& frame, glm::ivec2 size, const Tile& tile, FrameKind kind) {
+        constexpr std::array titles = {"", "B = w (N x T)", "T and B averaged", "made orthogonal", "by N alone"};
+        labels_.caption(size, tile, 0, titles[size_t(kind)]);
+        attach_bitangents();
+        if (!frame.probe && has_frame_formula() && tile.size.x > 0 && tile.size.y > 0) {
+            const Image drawn = draw_numbers(tile.size, [&] {
+                draw_surface(frame, {{0, 0}, tile.size}, angle, frame_kinds.define(kind), "MEASURE");
+            });
+            const auto mean = [&](int channel) {
+                const double degrees = summarize(channels_of(drawn, channel, 1)).mean;
+                return rounded(degrees < 5e-4 ? 0 : degrees);
+            };
+            labels_.caption(size, tile, -1, fmt::format("T {}~ B {}~ off", mean(0), mean(1)));
+        }
+        draw_surface(frame, tile, angle, frame_kinds.define(kind));
+    }
+
+    void draw_surface(const Frame& frame, const Tile& tile, int method, const Define& kind = "",
+                      const char* purpose = "") {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const char* exact = frame.probe                         ? ""  // shows no error
-                            : shape() == basis::Shape::quad     ? "QUAD"
-                            : shape() == basis::Shape::box      ? "BOX"
-                            : shape() == basis::Shape::mirrored ? "MIRRORED"
-                                                                : "";
+        const char* exact = frame.probe                                         ? ""  // shows no error
+                            : shape() == basis::Shape::quad                     ? "QUAD"
+                            : shape() == basis::Shape::box                      ? "BOX"
+                            : shape() == basis::Shape::mirrored                 ? "MIRRORED"
+                            : view_ == frames && shape() == basis::Shape::torus ? "TORUS"
+                                                                                : "";
+        const bool is_round = shape() == basis::Shape::sphere || shape() == basis::Shape::mirrored;
         const bool shows_solved = method == per_face && frame.probe.name == "dp_dv";
         const GpuMesh& mesh = mesh_of(shows_solved ? solved_bitangent : method);
         const char* source = method == derivatives ? "DERIVATIVES" : shows_solved ? "SOLVED_BITANGENT" : "";
-        const Program& surface = surface_.with({frame.probe, source, exact});
+        const Program& surface =
+            surface_.with({frame.probe, source, exact, view_ == frames ? "FRAMES" : "",
+                           view_ == frames && is_round && !frame.probe ? "ROUND" : "", kind, purpose});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
@@ -147,14 +211,13 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 
         const bool are_too_many = is_own() && own_.mesh().vertices.size() > most_lined_vertices;
-        if (!lines_ || are_too_many || method == derivatives || frame.probe) return;
-        const Program& frames = frames_.with();
-        glUseProgram(frames);
-        frames.set("u_clip_from_world", frame.camera.clip_from_world());
-        frames.set("u_size", glm::vec2(tile.size));
-        frames.set("u_length", line_length_);
-        frames.set("u_focal_pixels",
-                   tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
+        if (!lines_ || are_too_many || method == derivatives || view_ == frames || frame.probe) return;
+        const Program& lines = frames_.with();
+        glUseProgram(lines);
+        lines.set("u_clip_from_world", frame.camera.clip_from_world());
+        lines.set("u_size", glm::vec2(tile.size));
+        lines.set("u_length", line_length_);
+        lines.set("u_focal_pixels", tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
         const auto read_attributes_every = [](GLuint instances) {
             for (const GLuint attribute : {0, 1, 2}) glVertexAttribDivisor(attribute, instances);
         };
@@ -167,12 +230,13 @@ private:
     Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.frag"};
     Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
-    Kept<std::map<int, GpuMesh>, int, int, int, float, float, bool, int> meshes_;  ///< by method
+    Kept<std::map<int, GpuMesh>, MeshInputs> meshes_;  ///< by method
+    Kept<VertexStream, MeshInputs> bitangents_;
     OwnMesh own_{basis::box_half * std::sqrt(3.0)};
     Labels labels_;
 
-    int view_ = every, method_ = angle, shape_ = int(basis::Shape::torus), show_ = half_and_half, columns_ = 24,
-        rows_ = 12;
+    int view_ = every, method_ = angle, frame_ = every_frame, shape_ = int(basis::Shape::torus), show_ = half_and_half,
+        columns_ = 24, rows_ = 12;
     bool lines_ = true, collapsed_ = false;
     float line_length_ = 14, jitter_ = 0.7f, shear_ = 0, light_yaw_ = 35;
 };

@@ -14,6 +14,10 @@ Triangle triangle_of(const Mesh& mesh, size_t first) {
     return triangle;
 }
 
+const glm::dvec3& of_face(const FaceBasis& face, Axis axis) {
+    return axis == Axis::tangent ? face.tangent : face.bitangent;
+}
+
 }  // namespace
 
 Mesh with_faces(const Mesh& mesh, Axis axis) {
@@ -27,9 +31,8 @@ Mesh with_faces(const Mesh& mesh, Axis axis) {
             Vertex vertex = mesh.vertices[mesh.indices[first + i]];
             if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
             // Both axes lie in the triangle, so they are perpendicular to the normal already.
-            const glm::dvec3& solved = axis == Axis::tangent ? face.tangent : face.bitangent;
             vertex.tangent = face.handedness == 0 ? glm::dvec4(any_perpendicular(vertex.normal), 1)
-                                                  : glm::dvec4(solved, face.handedness);
+                                                  : glm::dvec4(of_face(face, axis), face.handedness);
             result.indices.push_back(uint32_t(result.vertices.size()));
             result.vertices.push_back(vertex);
         }
@@ -37,7 +40,7 @@ Mesh with_faces(const Mesh& mesh, Axis axis) {
     return result;
 }
 
-Mesh with_means(const Mesh& mesh, Weight weight) {
+Mesh with_means(const Mesh& mesh, Weight weight, Axis axis) {
     struct Sums {
         glm::dvec3 sum[2] = {};
         int triangles[2] = {};
@@ -51,7 +54,7 @@ Mesh with_means(const Mesh& mesh, Weight weight) {
         const int side = sides[first / 3] = face.handedness < 0;
         for (int i = 0; i < 3; ++i) {
             Sums& vertex = sums[mesh.indices[first + size_t(i)]];
-            vertex.sum[side] += corner_weight(weight, triangle, i) * face.tangent;
+            vertex.sum[side] += corner_weight(weight, triangle, i) * of_face(face, axis);
             ++vertex.triangles[side];
         }
     }

@@ -4,8 +4,9 @@
 
 namespace relief::baking {
 const RayMesh& Baker::high(const Recipe& recipe) {
-    return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord}, [&] {
-        return std::make_unique<RayMesh>(make_high(recipe.model, high_finenesses[size_t(recipe.high)], recipe.cord));
+    return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord, recipe.sculpt}, [&] {
+        return std::make_unique<RayMesh>(
+            make_high(recipe.model, high_finenesses[size_t(recipe.high)], recipe.cord, recipe.sculpt));
     });
 }
 

@@ -39,6 +39,7 @@ struct Recipe {
     int frame = interpolated, take = take_nearest;
     float reach = 0.42f;
     int size = 256, bits = 0, padding = 8;
+    Sculpt sculpt = {};
     bool operator==(const Recipe&) const = default;
 
     /// Returns the reach in metres at a place of the map. `reach` itself is in Model::unit().
@@ -81,7 +82,7 @@ private:
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
     // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {
-        Kept<std::unique_ptr<RayMesh>, Model, int, bool> high;  ///< by fineness and cord
+        Kept<std::unique_ptr<RayMesh>, Model, int, bool, Sculpt> high;  ///< by fineness and cord
         /// By fineness and overlapping islands. Index 1 has the opposite diagonals of the bake's mesh.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;

@@ -54,6 +54,10 @@ public:
         knobs.group("Shell");
         knobs.slider("gap", gap_, 0, 0.4f, "free space between the whorls, in radii of the tube");
         knobs.toggle("cord", cord_, "a cord that winds above the last whorl without touching it");
+        knobs.group("Sculpting the fine model");
+        knobs.slider("ribs", sculpt_.ribs, 0, 2, "height of the shell's ribs: a factor");
+        knobs.slider("bulge", sculpt_.bulge, -0.3f, 0.3f, "height of a bulge on the last whorl, in radii of the tube");
+        knobs.slider("dents", sculpt_.dents, 0, 0.2f, "depth of rows of dents, in radii of the tube");
         knobs.group("Map");
         knobs.choice("islands", islands_, islands, "strips of the map side by side, or two of them in one place");
         knobs.choice("map_size", size_, sizes, "side of the map, texels");
@@ -117,9 +121,11 @@ private:
                       .reach = reach_,
                       .size = 64 << size_,
                       .bits = bits_,
-                      .padding = padding_};
+                      .padding = padding_,
+                      .sculpt = sculpt_};
         if (shape == Shape::cube) {  // resets settings without effect on the cube, so that they do not cause a bake
             recipe.high = 0, recipe.low = 0, recipe.cord = recipe.overlapping = false, recipe.model.gap = 0;
+            recipe.sculpt = {};
         }
         return recipe;
     }
@@ -235,7 +241,7 @@ private:
                             ? fmt::format("task 7.{} is not written yet: no ray has a hit", report.unwritten)
                             : fmt::format("{:.1f} % of the texels meet nothing, {:.1f} % another part",
                                           100 * report.missed, 100 * report.wrong));
-        const double needed = reach_needed(recipe.model, low_finenesses[size_t(recipe.low)]);
+        const double needed = reach_needed(recipe.model, low_finenesses[size_t(recipe.low)], recipe.sculpt);
         if (double(recipe.reach) < needed)
             labels_.caption(size, tile, -1,
                             fmt::format("a reach of {:.2f} may be too short: {:.2f}", recipe.reach, needed),
@@ -256,6 +262,7 @@ private:
     int view_ = compare, shape_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;
     int ray_normals_ = 0, take_ = 0, islands_ = 0, size_ = 2, bits_ = 1, padding_ = 8, level_ = 0, low_ = 1, high_ = 0;
     float reach_ = 0.42f, gap_ = 0.12f, cut_ = 0.62f;
+    Sculpt sculpt_;
     DistantLight light_{.yaw = -75, .pitch = 30};
     bool cord_ = false;
 };

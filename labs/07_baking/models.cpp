@@ -6,17 +6,21 @@ namespace relief::baking {
 namespace {
 
 constexpr double two_pi = 2 * glm::pi<double>();
-constexpr int ribs = 15;      // per turn
+constexpr int ribs = 15;                     // per turn
+constexpr int dents = 10, dents_around = 4;  // periods per turn, and around the tube; each has two dents
 constexpr double seam = 0.9;  // of the map's strips: angle around the tube from the outermost line, radians
 
-/// Returns the height of the ribs, in radii of the tube. They bend forwards, and fade where the next whorl lies on
+/// Returns the height of the relief, in radii of the tube. Ribs bend forwards, and fade where the next whorl lies on
 /// them.
-double relief_height(double turn, double around, bool with_growth_lines) {
+double relief_height(double turn, double around, bool with_growth_lines, const Sculpt& sculpt) {
     const double phase = two_pi * (ribs * turn - 0.45 * (1 - std::cos(around)) + 0.1 * std::sin(2 * around));
     const double free = 0.5 + 0.5 * std::cos(around);
     const double rib = std::pow(0.5 + 0.5 * std::cos(phase), 1.4) * (0.12 + 0.88 * free);
     const double line = with_growth_lines ? 0.5 + 0.5 * std::cos(5 * phase) : 0;
-    return rib_height * rib + growth_line_height * line;
+    const double far_from_bulge = std::pow((turn - 2.6) / 0.13, 2) + (1 - std::cos(around)) / 0.3;
+    const double dent = std::max(0.0, std::cos(two_pi * dents * turn) * std::cos(dents_around * around)) * free;
+    return double(sculpt.ribs) * rib_height * rib + growth_line_height * line +
+           double(sculpt.bulge) * std::exp(-far_from_bulge) - double(sculpt.dents) * dent * dent;
 }
 
 /// Returns the place at `height` above the tube, in radii of the tube.
@@ -106,12 +110,17 @@ double turn_at(const glm::dvec2& uv) {
     return whorl + (uv.x - border) / (1 - 2 * border);
 }
 
-Mesh make_high(const Model& model, Fineness fineness, bool cord) {
+double Sculpt::highest() const { return double(ribs) * rib_height + growth_line_height + std::max(0.0, double(bulge)); }
+
+double Sculpt::deepest() const { return double(dents) + std::max(0.0, -double(bulge)); }
+
+Mesh make_high(const Model& model, Fineness fineness, bool cord, const Sculpt& sculpt) {
     if (model.shape == Shape::cube) return make_cube(false, false);
     Mesh mesh;
     const bool fine = fineness.columns >= whorls * ribs * 5 * 3;
-    add_tube(mesh, fineness, 0, whorls, 0,
-             [&](double turn, double around) { return place(model, turn, around, relief_height(turn, around, fine)); });
+    add_tube(mesh, fineness, 0, whorls, 0, [&](double turn, double around) {
+        return place(model, turn, around, relief_height(turn, around, fine, sculpt));
+    });
     if (cord)
         add_tube(mesh, {96, 10}, 2.1, 2.9, 100, [&](double turn, double around) {
             // The cord's centre line is above the tube and meanders.
@@ -147,11 +156,11 @@ Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool othe
     return mesh;
 }
 
-double reach_needed(const Model& model, Fineness low) {
+double reach_needed(const Model& model, Fineness low, const Sculpt& sculpt) {
     if (model.shape == Shape::cube) return 0;
     const double tube = touching_radius * (1 - double(model.gap));
     const double along = (1 + tube) / tube * (1 - std::cos(glm::pi<double>() / low.columns));
-    return rib_height + growth_line_height + along + (1 - std::cos(glm::pi<double>() / low.sides));
+    return std::max(sculpt.highest(), sculpt.deepest()) + along + (1 - std::cos(glm::pi<double>() / low.sides));
 }
 
 }  // namespace relief::baking

@@ -33,6 +33,17 @@ struct Model {
     double unit(const glm::dvec2& uv) const;
 };
 
+/// What a sculptor has done to the fine ammonite; heights in radii of the tube. The defaults are the shell as it is.
+struct Sculpt {
+    float ribs = 1;   ///< factor on the height of the ribs
+    float bulge = 0;  ///< height of a wide bulge on the last whorl, or below 0 the depth of a hollow there
+    float dents = 0;  ///< depth of rows of round dents
+    bool operator==(const Sculpt&) const = default;
+
+    double highest() const;  ///< above the tube
+    double deepest() const;  ///< below the tube
+};
+
 /// The number of quads: `columns` along the tube and `sides` around it. Only meshes that are fine enough have growth
 /// lines.
 struct Fineness {
@@ -46,7 +57,7 @@ inline constexpr std::array low_names = {"100", "500", "2000"};  ///< their numb
 
 /// Returns the mesh that is baked. uv.x is the turn at a vertex, so that a hit knows its whorl. On the cord it is 100
 /// more. The cord runs above the last whorl without touching it. The cube has flat faces.
-Mesh make_high(const Model& model, Fineness fineness, bool cord);
+Mesh make_high(const Model& model, Fineness fineness, bool cord, const Sculpt& sculpt);
 
 /// Returns the mesh that wears the map. Its vertices lie on the tube without ribs and have the tube's normals. Each
 /// whorl is a strip of the map, and each face of the cube a square. The cube's
@@ -57,8 +68,9 @@ Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool othe
 /// Returns the turn at a place of the map, clamped to the strip of a whorl.
 double turn_at(const glm::dvec2& uv);
 
-/// Returns the distance of a cage from the low mesh, in radii of the tube, at which no ray begins inside the high mesh.
-/// It is the height of the relief plus the sagittas along and around the tube. Returns 0 for the cube.
-double reach_needed(const Model& model, Fineness low);
+/// Returns the distance of a cage from the low mesh, in radii of the tube, at which no ray begins inside the high mesh
+/// or ends above it. It is the height or the depth of the relief plus the sagittas along and around the tube. Returns 0
+/// for the cube.
+double reach_needed(const Model& model, Fineness low, const Sculpt& sculpt);
 
 }  // namespace relief::baking

@@ -42,7 +42,12 @@ public:
         knobs.choice("view", view_, view_names,
                      "the garden and its programs; or one picture, filters, mip levels, the lamp");
         knobs.choice("file", file_, files, "the OBJ file");
-        knobs.choice("maps", maps_, map_choices, "read the maps that materials name; or both, side by side");
+        knobs.choice("maps", maps_, map_choices,
+                     "read the maps that materials name; with and without them side by side; or without normals only");
+        knobs.toggle("normal_maps", switches_.normals,
+                     "for maps = on, wipe and wipe-normals: read normals and heights");
+        knobs.toggle("specular_maps", switches_.highlights, "for maps = on, wipe and wipe-normals: read highlights");
+        knobs.toggle("mask_maps", switches_.masks, "for maps = on, wipe and wipe-normals: read masks");
         knobs.choice("programs", surfaces_.program_kind, Surfaces::program_kinds.names,
                      "a program for each set of features, or one with branches");
         knobs.steps("highlight", surfaces_.highlight, 0, 12, "show this material alone in its light; 0: all");
@@ -75,23 +80,25 @@ public:
         }
         const bool has_maps = maps_ != maps_off;
         return materials::truth(frame_in(frame, whole(frame)), probe,
-                                {drawn(has_maps).scene, has_maps, lights, double(surfaces_.fence)});
+                                {drawn(has_maps ? chosen : none).scene, has_maps, lights, double(surfaces_.fence)});
     }
 
 private:
     enum ViewKind { garden, one, ground, levels, lamp_cut };
-    enum File { garden_file, fence_file, ground_file, broken_file, thousand };
-    enum MapChoice { maps_on, maps_off, wipe };
+    enum File { garden_file, fence_file, ground_file, broken_file, thousand, lawn };
+    enum MapChoice { maps_on, maps_off, wipe, wipe_normals };
+    /// The maps of a view: none, those that are switched on, or these without normals and heights.
+    enum Read { none, chosen, without_normals };
     static constexpr std::array view_names = {"garden", "one", "ground", "levels", "lamp"};
-    static constexpr std::array files = {"garden", "fence", "ground", "broken", "thousand"};
-    static constexpr std::array map_choices = {"on", "off", "wipe"};
+    static constexpr std::array files = {"garden", "fence", "ground", "broken", "thousand", "lawn"};
+    static constexpr std::array map_choices = {"on", "off", "wipe", "wipe-normals"};
     static constexpr int samples_of_pictures = 4;
 
     /// A part of the picture.
     struct View {
         Tile tile;  ///< the camera's picture
         Tile part;  ///< part of the tile that is drawn
-        bool has_maps = true;
+        Read maps = chosen;
         bool is_flat = false;  ///< drawn in the colours of the programs
     };
     /// The filters that the view `ground` compares.
@@ -104,20 +111,21 @@ private:
                                                                {Surfaces::taps_4, "4 taps"},
                                                                {Surfaces::taps_16, "16 taps"}}};
 
-    DrawnScene& drawn(bool with_maps) const {
-        return *scenes_[with_maps].get({file_}, [&] {
+    DrawnScene& drawn(Read read) const {
+        MapSwitches maps = read == none ? no_maps : switches_;
+        if (read == without_normals) maps.normals = false;
+        return *scenes_[read].get({file_, maps}, [&] {
             ObjModel model = file_ == thousand
                                  ? thousand_tiles()
                                  : read_obj(course_root() / "assets" / (std::string(files[size_t(file_)]) + ".obj"));
-            return std::make_unique<DrawnScene>(make_scene(std::move(model), with_maps, kind_of));
+            return std::make_unique<DrawnScene>(make_scene(std::move(model), maps, kind_of));
         });
     }
 
     static Tile whole(const Frame& frame) { return {{0, 0}, frame.size}; }
 
     std::vector<View> views_of(const Frame& frame) const {
-        const bool with_maps = maps_ != maps_off;
-        if (frame.probe) return {{.tile = whole(frame), .part = whole(frame), .has_maps = with_maps}};
+        if (frame.probe) return {{.tile = whole(frame), .part = whole(frame), .maps = read()}};
         std::vector<View> all;
         if (view_ == ground) {
             for (const Tile& tile : tile_grid(frame.size, 2, 2)) all.push_back({.tile = tile, .part = tile});
@@ -128,14 +136,17 @@ private:
             left.size.x = frame.size.x * 7 / 10;
             const glm::ivec2 corner(left.size.x, frame.size.y - frame.size.y * 4 / 10);
             const Tile right{corner, frame.size - corner};
-            all.push_back({.tile = right, .part = right, .has_maps = with_maps, .is_flat = true});
+            all.push_back({.tile = right, .part = right, .maps = read(), .is_flat = true});
         }
         Tile with = left, without = left;
-        if (maps_ == wipe) with.size.x /= 2, without.corner.x += with.size.x, without.size.x -= with.size.x;
-        if (with_maps) all.push_back({.tile = left, .part = with, .has_maps = true});
-        if (maps_ != maps_on) all.push_back({.tile = left, .part = without, .has_maps = false});
+        if (is_wipe()) with.size.x /= 2, without.corner.x += with.size.x, without.size.x -= with.size.x;
+        if (maps_ != maps_off) all.push_back({.tile = left, .part = with, .maps = chosen});
+        if (maps_ != maps_on)
+            all.push_back({.tile = left, .part = without, .maps = maps_ == wipe_normals ? without_normals : none});
         return all;
     }
+    Read read() const { return maps_ == maps_off ? none : chosen; }
+    bool is_wipe() const { return maps_ == wipe || maps_ == wipe_normals; }
 
     /// Draws a property of the surfaces.
     void draw_probe(const Frame& frame) {
@@ -143,7 +154,7 @@ private:
         glViewport(0, 0, frame.size.x, frame.size.y);
         if (frame.probe.name == "layers") glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        surfaces_.draw(frame_in(frame, whole(frame)), drawn(maps_ != maps_off),
+        surfaces_.draw(frame_in(frame, whole(frame)), drawn(read()),
                        {.pass = Pass::probe, .filter = surfaces_.filter, .lights = lights_.lights()});
     }
 
@@ -153,12 +164,12 @@ private:
         begin_light(frame);
         glEnable(GL_SCISSOR_TEST);
         for (size_t i = 0; i < views.size(); ++i) {
-            const auto& [tile, part, has_maps, is_flat] = views[i];
+            const auto& [tile, part, maps, is_flat] = views[i];
             if (tile.size.x <= 0 || tile.size.y <= 0) continue;
             glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
             glScissor(part.corner.x, part.corner.y, part.size.x, part.size.y);
             draw_sky(frame_in(frame, tile), is_flat);
-            surfaces_.draw(frame_in(frame, tile), drawn(has_maps),
+            surfaces_.draw(frame_in(frame, tile), drawn(maps),
                            {.pass = is_flat ? Pass::flat : Pass::light,
                             .filter = view_ == ground && !frame.probe ? comparisons[i].filter : surfaces_.filter,
                             .lights = lights_.lights(),
@@ -234,7 +245,7 @@ private:
     static double metres_per_pixel(glm::ivec2 size) { return 5.0 / std::max(1, std::min(size.x, size.y)); }
 
     void describe(const Frame& frame, const std::vector<View>& views) {
-        const Scene& scene = drawn(maps_ != maps_off).scene;
+        const Scene& scene = drawn(read()).scene;
         if (view_ == ground)
             for (size_t i = 0; i < views.size(); ++i) {
                 labels_.caption(frame.size, views[i].tile, 0, comparisons[i].title);
@@ -242,11 +253,11 @@ private:
                     labels_.caption(frame.size, views[i].tile, -1, fmt::format("{:.1f} % off", 100 * error));
             }
         if (view_ == garden) list_materials(labels_, frame.size, views[0].tile, scene, surfaces_.highlight);
-        if (view_ == garden && maps_ == wipe) {
+        if (view_ == garden && is_wipe()) {
             const float middle = float(views[1].part.size.x);
             labels_.rectangle({middle - 0.5f, 0}, {1, float(frame.size.y)}, {1, 1, 1, 0.4f});
         }
-        if (file_ == ground_file || file_ == broken_file) write_notes(labels_, frame.size, scene);
+        if (file_ == ground_file || file_ == broken_file || file_ == lawn) write_notes(labels_, frame.size, scene);
     }
 
     /// Returns the mean error of a compared filter's colours, relative to 1024 samples, as a share of their mean.
@@ -260,7 +271,7 @@ private:
             const Frame frame{.target = 0, .size = size, .time = 0, .camera = Camera(low, 1.5), .probe = {}};
             const Image errors = draw_numbers(size, [&] {
                 surfaces_.draw(
-                    frame, drawn(true),
+                    frame, drawn(chosen),
                     {.pass = Pass::filter_error, .filter = comparisons[comparison].filter, .lights = lights_.lights()});
             });
             double off = 0, sum = 0;
@@ -279,11 +290,12 @@ private:
     WindowTriangle window_;
     std::optional<LightTarget> target_;
     std::tuple<glm::ivec2, int, int> target_is_for_;
-    mutable std::array<Kept<std::unique_ptr<DrawnScene>, int>, 2> scenes_;  ///< index 0 without maps, 1 with them
+    mutable std::array<Kept<std::unique_ptr<DrawnScene>, int, MapSwitches>, 3> scenes_;  ///< by Read
     std::array<Kept<double, std::vector<std::string>, int>, comparisons.size()> errors_;
     Labels labels_;
 
     int view_ = garden, file_ = garden_file, maps_ = maps_on;
+    MapSwitches switches_;
     LightKnobs lights_;
 };
 

@@ -33,6 +33,40 @@ public:
         return {};
     }
 
+    /// Finds the asset of a material's normals or heights. Returns its feature, or 0.
+    unsigned find_bumps(const Material& material, std::string& bumps) {
+        bumps = asset(material, "norm", material.normal_map);
+        if (bumps.empty()) {
+            bumps = asset(material, "map_bump", material.bump_map);
+            return bumps.empty() ? 0 : bump(material, bumps);
+        }
+        if (!material.bump_map.empty())
+            note(material, fmt::format("map_bump of '{}' is left out: norm is there", material.name));
+        return normal_map;
+    }
+
+    /// Returns whether a picture, or none, has a fourth channel.
+    static bool has_alpha(const std::string& name) {
+        return !name.empty() && read_asset_chain(name, ColorSpace::srgb).channels == 4;
+    }
+
+    /// Adds a note that names the words of a material's file that have no effect on the picture.
+    void unused_words(const Material& material) {
+        constexpr std::array<std::string_view, 14> used = {"Kd",   "Ks",   "Ke",       "Ns",      "d",
+                                                           "Tr",   "norm", "map_Kd",   "map_Ks",  "map_d",
+                                                           "bump", "-bm",  "map_bump", "map_Bump"};
+        std::vector<std::string> unused;
+        for (const std::string& word : material.words)
+            if (std::find(used.begin(), used.end(), word) == used.end()) unused.push_back(word);
+        if (unused.empty()) return;
+        const std::string last = unused.back();
+        unused.pop_back();
+        note(material, unused.empty() ? fmt::format("{} of '{}' has no effect here", last, material.name)
+                                      : fmt::format("{} and {} of '{}' have no effect here", fmt::join(unused, ", "),
+                                                    last, material.name));
+    }
+
+private:
     /// Returns the feature of a bump map. Adds a note if it does not hold heights. Returns 0 if it holds no normals
     /// either.
     unsigned bump(const Material& material, const std::string& name) {
@@ -46,7 +80,6 @@ public:
         return normals ? unsigned(normal_map) : 0;
     }
 
-private:
     void note(const Material& material, const std::string& message) {
         if (notes_.size() < 20) notes_.push_back(Error({material.file.filename(), material.line}, message).what());
     }
@@ -65,7 +98,7 @@ std::string words(unsigned features) {
     return text;
 }
 
-Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(const Image&)>& kind_of) {
+Scene make_scene(ObjModel model, const MapSwitches& switches, const std::function<MapKind(const Image&)>& kind_of) {
     Scene scene{std::move(model.mesh), {}, 0, std::move(model.notes)};
     set_uv_tangents(scene.mesh);
     Maps maps(kind_of, scene.notes);
@@ -79,21 +112,18 @@ Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(con
             piece.material.diffuse = glm::vec3(0.6f);
         }
         const Material& material = piece.material;
+        maps.unused_words(material);
         if (material.opacity == 0) continue;
         if (material.opacity < 1) piece.features |= glass;
-        if (with_maps) {
-            piece.colors = maps.asset(material, "map_Kd", material.diffuse_map);
-            piece.highlights = maps.asset(material, "map_Ks", material.specular_map);
-            piece.mask = maps.asset(material, "map_d", material.opacity_map);
-            piece.bumps = maps.asset(material, "norm", material.normal_map);
-            if (!piece.bumps.empty())
-                piece.features |= normal_map;
-            else if (piece.bumps = maps.asset(material, "map_bump", material.bump_map); !piece.bumps.empty())
-                piece.features |= maps.bump(material, piece.bumps);
-            if (!piece.colors.empty()) piece.features |= color_map;
-            if (!piece.highlights.empty()) piece.features |= highlight_map;
-            if (!piece.mask.empty()) piece.features |= mask_map;
-        }
+        if (switches.colors) piece.colors = maps.asset(material, "map_Kd", material.diffuse_map);
+        if (switches.highlights) piece.highlights = maps.asset(material, "map_Ks", material.specular_map);
+        if (switches.masks) piece.mask = maps.asset(material, "map_d", material.opacity_map);
+        if (switches.masks && piece.mask.empty() && maps.has_alpha(piece.colors))
+            piece.mask = piece.colors, piece.mask_is_alpha = true;
+        if (switches.normals) piece.features |= maps.find_bumps(material, piece.bumps);
+        if (!piece.colors.empty()) piece.features |= color_map;
+        if (!piece.highlights.empty()) piece.features |= highlight_map;
+        if (!piece.mask.empty()) piece.features |= mask_map;
         piece.program = program_of.try_emplace(piece.features, int(program_of.size())).first->second;
         piece.first_index = subset.first_index, piece.index_count = subset.index_count;
         glm::dvec3 low(INFINITY), high(-INFINITY);

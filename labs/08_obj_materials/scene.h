@@ -32,6 +32,13 @@ constexpr std::array<std::pair<Feature, const char*>, 6> feature_words = {{{colo
                                                                            {glass, "glass"}}};
 constexpr unsigned all_features = 63;
 
+/// Which maps of the materials are read. Heights count as normals.
+struct MapSwitches {
+    bool colors = true, normals = true, highlights = true, masks = true;
+    bool operator==(const MapSwitches&) const = default;
+};
+constexpr MapSwitches no_maps{.colors = false, .normals = false, .highlights = false, .masks = false};
+
 /// The triangles of a material, as a range of Scene::mesh.
 struct Piece {
     Material material;
@@ -41,6 +48,7 @@ struct Piece {
     glm::dvec3 centre;  ///< of the bounding box
     // Names of assets, or empty.
     std::string colors, highlights, bumps, mask;
+    bool mask_is_alpha = false;  ///< `mask` is the fourth channel of a picture, else the first
 
     bool has(Feature feature) const { return features & feature; }
     bool is_glass() const { return features & glass; }
@@ -53,13 +61,14 @@ struct Scene {
     Mesh mesh;                  ///< with tangents along growing u
     std::vector<Piece> pieces;  ///< in the order of the file, without invisible ones (opacity 0)
     int programs = 0;
-    std::vector<std::string> notes;  ///< about omitted and substituted parts, "file:line: message"
+    /// About omitted and substituted parts, and words of the files that have no effect, "file:line: message".
+    std::vector<std::string> notes;
 };
 
-/// Returns the scene of a model. Without `with_maps` materials keep their numbers only. `kind_of` decides how map_bump
-/// is read. A map that is missing is left out, with a note. Throws as read_image() does for a bump map, and as
-/// `kind_of` does.
-Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(const Image&)>& kind_of);
+/// Returns the scene of a model, with the maps that are switched on. `kind_of` decides how map_bump is read. Without
+/// map_d the fourth channel of map_Kd is the mask, if there is one. A map that is missing is left out, with a note.
+/// Throws as read_image() does for a bump map, and as `kind_of` does.
+Scene make_scene(ObjModel model, const MapSwitches& maps, const std::function<MapKind(const Image&)>& kind_of);
 
 /// Returns a model of a thousand tiles. Each has a material of its own; there are four sets of features.
 ObjModel thousand_tiles();

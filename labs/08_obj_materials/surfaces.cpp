@@ -10,6 +10,7 @@
 #include "framework/core/image/asset.h"
 #include "framework/core/image/coverage.h"
 #include "framework/core/image/mips.h"
+#include "framework/core/image/own_picture.h"
 
 namespace relief::materials {
 namespace {
@@ -22,6 +23,11 @@ void check_order(const std::vector<int>& numbers, size_t surfaces) {
     for (const int i : numbers)
         if (i < 0 || size_t(i) >= surfaces)
             throw Error(fmt::format("draw_order() returns the index {}: the surfaces are 0 to {}", i, surfaces - 1));
+}
+
+Image mask_of(const std::string& asset, bool is_alpha) {
+    const Image picture = read_asset(asset);
+    return is_alpha ? channels_of(picture, 3, 1) : picture;
 }
 
 bool shows(const Frame& frame, const Surfaces::Look& look, const char* probe) {
@@ -37,14 +43,22 @@ const Texture& DrawnScene::texture(const std::string& asset, ColorSpace space) {
                                     : textures_.emplace(key, load_texture(asset.c_str(), space)).first->second;
 }
 
-const std::vector<float>& DrawnScene::scales(const std::string& mask) {
-    std::vector<float>& scales = scales_[mask];
-    if (scales.empty()) scales = scales_of(mask);
+const Texture& DrawnScene::mask_texture(const Piece& piece) {
+    if (!piece.mask_is_alpha) return texture(piece.mask, ColorSpace::linear);
+    const std::string key = "alpha " + piece.mask;
+    const auto found = textures_.find(key);
+    if (found != textures_.end()) return found->second;
+    return textures_.emplace(key, Texture(key, [mask = piece.mask] { return mask_of(mask, true); })).first->second;
+}
+
+const std::vector<float>& DrawnScene::scales(const Piece& piece) {
+    std::vector<float>& scales = scales_[piece.mask];
+    if (scales.empty()) scales = scales_of(piece.mask, piece.mask_is_alpha);
     return scales;
 }
 
-std::vector<float> scales_of(const std::string& mask) {
-    std::vector<Image> levels = mip_chain(read_asset(mask), ColorSpace::linear);
+std::vector<float> scales_of(const std::string& mask, bool is_alpha) {
+    std::vector<Image> levels = mip_chain(mask_of(mask, is_alpha), ColorSpace::linear);
     for (Image& level : levels)
         for (float& alpha : level.values) alpha = std::round(alpha * 255) / 255;
     return coverage_scales(levels);
@@ -164,13 +178,13 @@ void Surfaces::set_material(const Program& program, const Piece& piece) const {
 
 void Surfaces::set_maps(const Program& program, DrawnScene& drawn, const Piece& piece) const {
     if (piece.has(mask_map) && alpha != hashed) {
-        const std::vector<float>& scales = drawn.scales(piece.mask);
+        const std::vector<float>& scales = drawn.scales(piece);
         for (size_t i = 0; i < 12; ++i)
             program.set(fmt::format("u_scales[{}]", i).c_str(), scales[std::min(i, scales.size() - 1)]);
     }
     const auto set = [&](const char* sampler, int unit, const std::string& asset, ColorSpace space) {
         if (!asset.empty())
-            program.set(sampler, unit, drawn.texture(asset, space));
+            program.set(sampler, unit, &asset == &piece.mask ? drawn.mask_texture(piece) : drawn.texture(asset, space));
         else if (program_kind == branches)
             program.set(sampler, unit, no_map_);
     };

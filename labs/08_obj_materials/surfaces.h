@@ -20,8 +20,10 @@ public:
     DrawnScene(const DrawnScene&) = delete;  // its mesh refers to this object
 
     const Texture& texture(const std::string& asset, ColorSpace space);
-    /// Returns coverage_scales() of a mask.
-    const std::vector<float>& scales(const std::string& mask);
+    /// Returns the texture of a piece's mask, in its first channel.
+    const Texture& mask_texture(const Piece& piece);
+    /// Returns coverage_scales() of a piece's mask.
+    const std::vector<float>& scales(const Piece& piece);
 
     const Scene scene;
     const GpuMesh mesh = upload([this] { return scene.mesh; });
@@ -31,8 +33,9 @@ private:
     std::map<std::string, std::vector<float>> scales_;
 };
 
-/// Returns coverage_scales() of a mask's mip levels as they are in its texture, rounded to 8 bits.
-std::vector<float> scales_of(const std::string& mask);
+/// Returns coverage_scales() of a mask's mip levels as they are in its texture, rounded to 8 bits. With `is_alpha` the
+/// mask is the fourth channel of the picture.
+std::vector<float> scales_of(const std::string& mask, bool is_alpha = false);
 
 /// Returns the colour of a program where surfaces are drawn flat. Linear light.
 glm::vec3 program_color(int program);

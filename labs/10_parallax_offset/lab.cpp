@@ -1,9 +1,13 @@
 // Lab 10: parallax offset.
 //
 // A relief on a flat wall by three estimates of the hit, at view angles from head-on to nearly edge-on. The lit relief
-// is above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
+// is above, the error in texels below. Or the eye in the space of the world, or of the model. Your tasks:
+// shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "eye.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/kit/kept.h"
@@ -22,23 +26,32 @@ public:
 
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
-        const bool words = !frame.probe && (view_ == strip || show_ != light);
+        const bool words = !frame.probe && view_ != eye && (view_ == strip || show_ != light);
         const std::vector<ErrorSummary> found = words ? measure(sights) : std::vector<ErrorSummary>();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const Sight& sight : sights) draw_tile(sight);
         if (words) describe(frame.size, sights, found);
+        if (view_ == eye && !frame.probe) describe_eyes(frame.size, sights);
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views, "every method at five angles on the wall, or one from the camera");
+        knobs.choice("view", view_, views,
+                     "every method at five angles on the wall, one from the camera, or ways to bring the eye to the "
+                     "model");
         knobs.choice("method", method_, methods, "for view = one: the method");
         knobs.steps("steps", steps_, 1, 256, "layers of the steep method");
         knobs.choice("show", show_, shows, "the lit relief, the error, or half of each");
         surface_.knobs(knobs);
         light_.knobs(knobs);
+        knobs.group("Model");
+        knobs.choice("eye", eye_, eyes,
+                     "for view = eye: dot products in the world, or the inverse of the model's matrix");
+        knobs.slider("turn", turn_, -180, 180,
+                     "for view = eye: turn of the model and the camera in the world, degrees");
+        knobs.slider("away", away_, 0, 10000, "for view = eye: distance of both from the world's origin, metres");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
@@ -54,25 +67,35 @@ public:
     }
 
 private:
-    enum View { strip, one };
+    enum View { strip, one, eye };
     enum Show { half_and_half, light, error };
-    static constexpr std::array views = {"strip", "one"};
+    static constexpr std::array views = {"strip", "one", "eye"};
+    enum Method { offset, limited, steep };
     static constexpr std::array methods = {"offset", "limited", "steep"};
     static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr std::array eyes = {"every", "world", "inverse", "inverse-in-double"};
     static constexpr std::array angles = {0, 30, 60, 75, 85};  ///< between the view and the wall's normal, degrees
 
     struct Sight {
         Tile tile;
         Frame frame;
         int method, degrees;
+        offsets::EyeBy eye = offsets::EyeBy::inverse_in_double;
     };
 
     /// Returns a sight for each angle, in tiles along the longer side of the picture.
     std::vector<Sight> sights_of(const Frame& frame) const {
-        const int below = frame.probe || show_ == light ? 0 : Labels::scale_height(frame.size);
+        const int below = frame.probe || show_ == light || view_ == eye ? 0 : Labels::scale_height(frame.size);
         if (view_ == one) {
             const Tile tile = tiles_of(frame.size, 1, below)[0];
             return {{tile, frame_in(frame, tile), method_, 0}};
+        }
+        if (view_ == eye) {
+            std::vector<Sight> sights;
+            for (const Tile& tile : tiles_of(frame.size, eye_ == 0 ? int(eyes.size()) - 1 : 1))
+                sights.push_back(
+                    {tile, frame_in(frame, tile), steep, 0, offsets::EyeBy(eye_ == 0 ? int(sights.size()) : eye_ - 1)});
+            return sights;
         }
         const bool wide = frame.size.x >= frame.size.y;
         const int columns = int(wide ? angles.size() : methods.size()),
@@ -105,7 +128,7 @@ private:
         const glm::ivec2 corner = sight.tile.corner, size = sight.tile.size;
         if (size.x <= 0 || size.y <= 0) return;
         glViewport(corner.x, corner.y, size.x, size.y);
-        if (sight.frame.probe || show_ == light) return draw_relief(sight, "");
+        if (sight.frame.probe || show_ == light || view_ == eye) return draw_relief(sight, "");
         // Draws the scene twice, each time clipped to a part of the tile. Errors are on the right, below in small
         // tiles.
         glEnable(GL_SCISSOR_TEST);
@@ -132,8 +155,13 @@ private:
     void draw_relief(const Sight& sight, const char* purpose) {
         const Program& relief = program(sight, purpose);
         glUseProgram(relief);
-        surface_.set(relief, sight.frame);
-        relief.set("u_to_light", light_.direction());
+        const glm::dmat4 pose = view_ == eye ? offsets::pose_of(turn_, away_) : glm::dmat4(1);
+        const offsets::PlacedEye placed = offsets::place(sight.eye, sight.frame.camera, pose, light_.direction());
+        surface_.set(relief, sight.frame, placed.space_from_model);
+        relief.set("u_clip_from_world", placed.clip_from_space);
+        relief.set("u_eye", placed.eye);
+        relief.set("u_to_light", placed.to_light);
+        relief.set("u_up", placed.up);
         relief.set("u_steps", steps_);
         surface_.set_exact_hit(relief, 3);
         surface_.draw();
@@ -169,9 +197,31 @@ private:
         });
     }
 
+    /// Names the ways, and compares their rays with those by the inverse in doubles: bit by bit, and in texels.
+    void describe_eyes(glm::ivec2 size, const std::vector<Sight>& sights) {
+        constexpr std::array titles = {"dot products in the world", "eye by the inverse", "inverse in double"};
+        constexpr glm::ivec2 sample{128, 128};
+        const auto rays = [&](Sight sight, offsets::EyeBy by) {
+            sight.eye = by;
+            sight.frame.probe = {"ray"};
+            return draw_numbers(sample, [&] { draw_relief(sight, ""); });
+        };
+        for (const Sight& sight : sights) {
+            labels_.caption(size, sight.tile, 0, titles[size_t(sight.eye)]);
+            if (sight.eye == offsets::EyeBy::inverse_in_double || sight.tile.size.x <= 0) continue;
+            const Image own = rays(sight, sight.eye), exact = rays(sight, offsets::EyeBy::inverse_in_double);
+            const Image apart = error_image(own, exact, ErrorMetric::distance);
+            const ErrorSummary off = summarize(apart);
+            if (off.count == 0) continue;
+            const auto same = std::count(apart.values.begin(), apart.values.end(), 0.0f);
+            labels_.caption(size, sight.tile, -2, fmt::format("same bits: {} %", 100 * same / int64_t(off.count)));
+            labels_.caption(size, sight.tile, -1, amount_of(off.mean, "texel") + " off");
+        }
+    }
+
     void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<ErrorSummary>& found) {
         for (size_t i = 0; i < sights.size(); ++i) {
-            const auto& [tile, frame, method, degrees] = sights[i];
+            const auto& [tile, frame, method, degrees, by] = sights[i];
             const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
             const std::string name = methods[size_t(method)];
             labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
@@ -186,7 +236,8 @@ private:
     Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, std::vector<std::string>> errors_;
     DistantLight light_;
 
-    int view_ = strip, method_ = 2, steps_ = 32, show_ = half_and_half;
+    int view_ = strip, method_ = steep, steps_ = 32, show_ = half_and_half, eye_ = 0;
+    float turn_ = 40, away_ = 0;
 };
 
 RELIEF_LAB(ParallaxOffset);

@@ -45,7 +45,7 @@ public:
             } else {
                 triangles_of_eye = draw_picture(view, "");
                 labels_.caption(frame.size, view.tile, 0, fmt::format("{} triangles", triangles_of_eye));
-                if (levels_of_ == patches) mark_holes(frame.size, view);
+                if (may_crack()) mark_holes(frame.size, view);
             }
         }
         describe_limits(frame.size, views[0].tile);
@@ -69,6 +69,8 @@ public:
         knobs.slider("budget", budget_, 0.125f, 8, "for method = error: tolerated error, pixels");
         knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
                      "positions of the vertices at a fractional level");
+        knobs.choice("mip", mip_, mips.names,
+                     "mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks");
         knobs.group("Culling and fading");
         knobs.choice("cull", cull_, culls,
                      "cull no patches, those outside of the picture, or also those that face away");
@@ -89,6 +91,7 @@ private:
     enum ViewKind { both, eye_only, above };
     enum Method { uniform, by_distance, by_size, by_error };
     enum LevelsOf { edges, patches };
+    enum Mip { mip_base, mip_of_patch };
     enum Cull { cull_none, cull_outside, cull_all };
     static constexpr std::array view_kinds = {"both", "eye", "above"};
     static constexpr auto methods = choices<Method>({{uniform, "uniform"},
@@ -96,6 +99,7 @@ private:
                                                      {by_size, "size", "BY_SIZE"},
                                                      {by_error, "error", "BY_ERROR"}});
     static constexpr auto levels_ofs = choices<LevelsOf>({{edges, "edge"}, {patches, "patch", "LEVELS_OF_PATCH"}});
+    static constexpr auto mips = choices<Mip>({{mip_base, "base"}, {mip_of_patch, "patch", "MIP_OF_PATCH"}});
     static constexpr std::array culls = {"none", "outside", "all"};
     static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
         faded_color{0.62f, 0.70f, 0.72f};
@@ -121,8 +125,9 @@ private:
     /// Returns the cost of a picture in draws of the surface: one for the triangles of each view, two for their edges,
     /// and one for the search for holes.
     int draws_of_picture() const {
-        return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
+        return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && may_crack() ? 1 : 0);
     }
+    bool may_crack() const { return levels_of_ == patches || mip_ == mip_of_patch; }
     /// Maximum level of an edge, with a margin for fractions that round up.
     float highest_level() const {
         return method_ == uniform       ? level_
@@ -164,10 +169,11 @@ private:
     int draw_surface(const View& view, const Define& purpose) {
         const bool is_probe = purpose.text.starts_with("PROBE_");
         const bool has_backs = !surface_.is_one_sided() || purpose.text == "PROBE_winding";
-        const Program& program = program_.with(
-            {purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_), methods.define(method_),
-             levels_ofs.define(levels_of_), fade_ ? "FADE" : "", color_define("OUTSIDE_COLOR", outside_color),
-             color_define("AWAY_COLOR", away_color), color_define("FADED_COLOR", faded_color)});
+        const Program& program =
+            program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_),
+                           methods.define(method_), levels_ofs.define(levels_of_), mips.define(mip_),
+                           fade_ ? "FADE" : "", color_define("OUTSIDE_COLOR", outside_color),
+                           color_define("AWAY_COLOR", away_color), color_define("FADED_COLOR", faded_color)});
         glUseProgram(program);
         surface_.set(program, view.seen);
         set_colors(program, view.seen);
@@ -267,7 +273,7 @@ private:
     PatchTexture known_;
     Labels labels_;
 
-    int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, cull_ = cull_all;
+    int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, mip_ = mip_base, cull_ = cull_all;
     float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
     float most_level_ = 0;  ///< maximum level in this draw
     bool fade_ = false, wire_ = false;

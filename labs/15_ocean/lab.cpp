@@ -5,7 +5,9 @@
 // shaders/15_ocean/task.glsl
 #include <fmt/format.h>
 
+#include "framework/core/gl/cube_texture.h"
 #include "framework/core/kit/choices.h"
+#include "framework/core/kit/evening_sky.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
@@ -25,6 +27,7 @@ public:
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        if (view_ == four_maps && !frame.probe) draw_maps(frame);
         for (const View& view : views_of(frame)) {
             draw_view(view);
             if (view_ == far_seas && !frame.probe)
@@ -36,7 +39,8 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, kinds, "two rules for the normal and their errors; four far seas; or one picture");
+        knobs.choice("view", view_, kinds,
+                     "two rules for the normal and their errors; four far seas; one picture; or the four maps");
         knobs.group("Normals");
         knobs.choice("combine", combine_, combines.names, "for view = one: how the normals of two maps become one");
         knobs.choice("waves", water_.maps, Water::choices_of_maps, "both maps, or one of them");
@@ -46,6 +50,8 @@ public:
         knobs.choice("samples", samples_, sample_counts, "for far = samples: places within a pixel");
         knobs.choice("fresnel", fresnel_, fresnels.names,
                      "share of the mirrored light: Schlick's approximation, or exact");
+        knobs.choice("material", material_, materials.names, "water, or blue paint with the same mirrored sky");
+        knobs.choice("sky", sky_of_, skies.names, "the sky by a formula, or a cube map, whose sun stands still");
         knobs.group("Waves");
         knobs.slider("tiles_1", water_.tiles[0], 0.02f, 8, "how often the first map lies on 16 metres");
         knobs.slider("tiles_2", water_.tiles[1], 0.02f, 8, "how often the second map lies on 16 metres");
@@ -75,8 +81,12 @@ public:
     }
 
 private:
-    enum ViewKind { halves, far_seas, one };
-    static constexpr std::array kinds = {"halves", "far", "one"};
+    enum ViewKind { halves, far_seas, one, four_maps };
+    static constexpr std::array kinds = {"halves", "far", "one", "maps"};
+    enum Material { water, blue };
+    static constexpr auto materials = choices<Material>({{water, "water"}, {blue, "blue", "BLUE_MATERIAL"}});
+    enum Sky { by_formula, by_cube };
+    static constexpr auto skies = choices<Sky>({{by_formula, "formula"}, {by_cube, "cube", "SKY_CUBE"}});
     enum Combine { mean, slopes };
     static constexpr auto combines =
         choices<Combine>({{mean, "mean", "COMBINE MEAN"}, {slopes, "slopes", "COMBINE SLOPES"}});
@@ -107,6 +117,7 @@ private:
     // ---- views
 
     std::vector<View> views_of(const Frame& frame) const {
+        if (view_ == four_maps && !frame.probe) return {};
         if (view_ == far_seas && !frame.probe) return views_from_afar(frame);
         if (view_ == halves && !frame.probe) return views_of_rules(frame);
         const Tile whole{{0, 0}, frame.size};
@@ -185,6 +196,23 @@ private:
 
     // ---- passes
 
+    /// Draws the heights of both maps above their normals.
+    void draw_maps(const Frame& frame) {
+        const std::vector<Tile> tiles = tile_grid(frame.size, 2, 2);
+        for (int i = 0; i < 4; ++i) {
+            const auto& [corner, size] = tiles[size_t(i)];
+            const int side = std::min(size.x, size.y) * 9 / 10;
+            glViewport(corner.x + (size.x - side) / 2, corner.y + (size.y - side) / 2, side, side);
+            const Program& program = map_.with({i < 2 ? "HEIGHTS" : "", level_ > 0 ? "ONE_LEVEL" : ""});
+            glUseProgram(program);
+            program.set("s_map", 0, i < 2 ? water_.waves(i) : water_.normals(i - 2));
+            program.set("u_level", float(level_ - 1));
+            window_.draw();
+            labels_.caption(frame.size, tiles[size_t(i)], 0,
+                            fmt::format("{} {}", i < 2 ? "heights" : "normals", i % 2 + 1));
+        }
+    }
+
     void draw_view(const View& view) {
         if (view.tile.size.x <= 0 || view.tile.size.y <= 0) return;
         glViewport(view.tile.corner.x, view.tile.corner.y, view.tile.size.x, view.tile.size.y);
@@ -201,8 +229,9 @@ private:
     }
 
     void draw_sky(const Frame& frame) {
-        const Program& program = sky_.with();
+        const Program& program = sky_.with(skies.define(sky_of_));
         glUseProgram(program);
+        if (sky_of_ == by_cube) program.set("s_sky", sky_unit, cube_);
         set_rays(program, frame);
         program.set("u_to_light", light_.direction());
         window_.draw();
@@ -227,28 +256,37 @@ private:
         program.set("u_steepest", water_.steepest());
         program.set("u_error_scale", error_scale);
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
+        if (is_lit(view, purpose) && sky_of_ == by_cube) program.set("s_sky", sky_unit, cube_);
         patches_.draw();
     }
 
+    static bool is_lit(const View& view, const Define& purpose) { return purpose.text != "WIRE" && !view.is_error(); }
+
     const Program& program_of(const View& view, const Define& purpose, bool is_raised) const {
-        const bool is_wire = purpose.text == "WIRE", is_light = !is_wire && !view.is_error();
+        const bool is_wire = purpose.text == "WIRE", is_light = is_lit(view, purpose);
         const int far = is_light ? view.far : plain;
-        return sea_.with({purpose, water_.is_used(0) ? "FIRST" : "", water_.is_used(1) ? "SECOND" : "",
-                          is_raised ? "" : "FLAT", combines.define(is_wire ? mean : view.rule),
-                          sources.define(is_wire ? maps : source_), fars.define(far),
-                          far == samples ? fmt::format("SIDE {}", 8 << samples_) : "",
-                          is_light ? fresnels.define(fresnel_) : "", level_ > 0 || view.is_error() ? "ONE_LEVEL" : ""});
+        return sea_.with(
+            {purpose, water_.is_used(0) ? "FIRST" : "", water_.is_used(1) ? "SECOND" : "", is_raised ? "" : "FLAT",
+             combines.define(is_wire ? mean : view.rule), sources.define(is_wire ? maps : source_), fars.define(far),
+             far == samples ? fmt::format("SIDE {}", 8 << samples_) : "", is_light ? fresnels.define(fresnel_) : "",
+             is_light && !view.frame.probe ? materials.define(material_) : "",
+             is_light && !view.frame.probe ? skies.define(sky_of_) : "",
+             level_ > 0 || view.is_error() ? "ONE_LEVEL" : ""});
     }
 
     Programs sea_{"15_ocean/sea.vert", "15_ocean/sea.tesc", "15_ocean/sea.tese", "15_ocean/sea.frag"};
     Programs sky_{"common/window.vert", "15_ocean/sky.frag"};
+    Programs map_{"common/window.vert", "15_ocean/map.frag"};
+    static constexpr int sky_unit = 6;  ///< after those of the maps
+    CubeTexture cube_{"evening sky", 128, evening_sky};
     WindowTriangle window_;
     std::array<Kept<double, std::vector<std::string>, int>, 2> means_;
     Labels labels_;
     Water water_;
     Patches patches_;
 
-    int view_ = halves, combine_ = slopes, source_ = maps, far_ = lean, samples_ = 2, fresnel_ = schlick, level_ = 0;
+    int view_ = halves, combine_ = slopes, source_ = maps, far_ = lean, samples_ = 2, fresnel_ = schlick, level_ = 0,
+        material_ = water, sky_of_ = by_formula;
     float shininess_ = 512;
     bool lock_ = true, wire_ = false;
     DistantLight light_{.yaw = 0, .pitch = 7};

@@ -50,6 +50,10 @@ public:
         return used;
     }
 
+    /// The maps as they are in their textures: see MapImages.
+    const Texture& waves(int map) const { return textures_[size_t(map)].waves; }
+    const Texture& normals(int map) const { return textures_[size_t(map)].normals; }
+
     /// Returns an upper bound of the height of the sea, metres.
     double highest() const {
         double sum = 0;

@@ -6,7 +6,9 @@ layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_uv;
 
+#ifndef BAKE
 uniform mat4 u_clip_from_world;
+#endif
 uniform mat4 u_world_from_model;
 uniform float u_rate;  // of the twist, radians per metre
 
@@ -29,5 +31,9 @@ void main() {
     v_tangent = a_tangent.xyz;
     v_bitangent = a_tangent.w * cross(a_normal, a_tangent.xyz);
 #endif
+#ifdef BAKE
+    gl_Position = vec4(2.0 * a_uv - 1.0, 0.0, 1.0);  // each texel of the baked light has one place on the column
+#else
     gl_Position = u_clip_from_world * world;
+#endif
 }

@@ -1,5 +1,5 @@
 #version 410 core
-// The map as it is stored.
+// The colours of a texture as they are stored: of a normal map, or of baked light.
 
 in vec2 v_uv;
 

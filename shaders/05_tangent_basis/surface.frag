@@ -13,6 +13,9 @@ in vec2 v_uv;
 #ifndef DERIVATIVES
 in vec4 v_tangent;
 #endif
+#if defined AVERAGED || defined ORTHOGONAL
+in vec3 v_bitangent;
+#endif
 
 uniform vec3 u_eye;
 uniform vec3 u_light;
@@ -41,6 +44,27 @@ vec3 exact_tangent() {
     return vec3(cos(turn), 0.0, -sin(turn));
 #endif
 }
+
+// Returns the unit dP/dv of the exact surface.
+vec3 exact_bitangent() {
+#ifdef BOX
+    return cross(v_normal, exact_tangent());
+#elif defined ROUND || defined TORUS
+    vec3 out_ = cross(exact_tangent(), vec3(0.0, 1.0, 0.0));  // away from the axis
+#ifdef TORUS
+    float turn = 6.28318531 * v_uv.y;
+    return sin(turn) * out_ - vec3(0.0, cos(turn), 0.0);
+#else
+    float latitude = 3.14159265 * (v_uv.y - 0.5);
+#ifdef MIRRORED
+    if (v_position.x > 0.0) out_ = -out_;  // its tangent points backwards
+#endif
+    return vec3(0.0, cos(latitude), 0.0) - sin(latitude) * out_;
+#endif
+#else
+    return vec3(0.0, 1.0, 0.0);
+#endif
+}
 #endif
 
 //(tangent-here
@@ -53,11 +77,34 @@ vec4 tangent_here(vec3 normal) {
 }
 //)
 
+float degrees_between(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), dot(a, b))); }
+
 void main() {
     vec3 normal = normalize(v_normal);
     vec4 tangent = tangent_here(normal);
+#if defined NORMAL_ALONE
+    //(normal-alone
+    vec3 across_z = cross(normal, vec3(0.0, 0.0, 1.0)), across_y = cross(normal, vec3(0.0, 1.0, 0.0));
+    bool is_z_longer = dot(across_z, across_z) > dot(across_y, across_y);
+    tangent = vec4(normalize(is_z_longer ? across_z : across_y), 1.0);
+    //)
+#elif defined ORTHOGONAL
+    tangent.xyz = normalize(tangent.xyz - dot(tangent.xyz, normal) * normal);
+#endif
+#if defined ORTHOGONAL
+    vec3 rest = v_bitangent - dot(v_bitangent, normal) * normal - dot(v_bitangent, tangent.xyz) * tangent.xyz;
+    // Nothing is left where T and B are parallel, as on a mesh whose uv are collapsed.
+    vec3 bitangent = dot(rest, rest) > 1e-12 ? normalize(rest) : cross(normal, tangent.xyz);
+#elif defined AVERAGED
+    vec3 bitangent = v_bitangent;
+#else
     vec3 bitangent = tangent.w * cross(normal, tangent.xyz);
-#if defined PROBE_tangent
+#endif
+#if defined MEASURE
+    float between = abs(90.0 - degrees_between(tangent.xyz, bitangent));
+    o_color = measured(vec4(degrees_between(tangent.xyz, exact_tangent()),
+                            degrees_between(bitangent, exact_bitangent()), between, 1.0));
+#elif defined PROBE_tangent
     o_color = probed(vec4(tangent.xyz, 0.0));
 #elif defined SOLVED_BITANGENT
     o_color = probed(vec4(tangent.xyz, 0.0));  // B of the triangle stands there
@@ -68,8 +115,11 @@ void main() {
 #else
     vec3 color;
     if (gl_FragCoord.x > u_split) {
-        vec3 exact = exact_tangent();
-        float error = degrees(atan(length(cross(tangent.xyz, exact)), dot(tangent.xyz, exact)));
+#ifdef FRAMES
+        float error = degrees_between(bitangent, exact_bitangent());
+#else
+        float error = degrees_between(tangent.xyz, exact_tangent());
+#endif
         color = heat((log2(max(error, 1e-6)) / log2(10.0) + 2.0) / 4.0);
     } else {
         vec2 uv = v_uv * u_repeat;

@@ -7,6 +7,9 @@ layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_tangent;
 #endif
 layout(location = 3) in vec2 a_uv;
+#if defined AVERAGED || defined ORTHOGONAL
+layout(location = 4) in vec3 a_bitangent;
+#endif
 
 uniform mat4 u_clip_from_world;
 
@@ -16,6 +19,9 @@ out vec2 v_uv;
 #ifndef DERIVATIVES
 out vec4 v_tangent;
 #endif
+#if defined AVERAGED || defined ORTHOGONAL
+out vec3 v_bitangent;
+#endif
 
 void main() {
     v_position = a_position;
@@ -23,6 +29,9 @@ void main() {
     v_uv = a_uv;
 #ifndef DERIVATIVES
     v_tangent = a_tangent;
+#endif
+#if defined AVERAGED || defined ORTHOGONAL
+    v_bitangent = a_bitangent;
 #endif
     gl_Position = u_clip_from_world * vec4(a_position, 1.0);
 }

@@ -26,6 +26,7 @@ uniform float u_depth_metres;
 uniform vec2 u_normal_strength;
 uniform int u_steps;
 uniform vec3 u_to_light;
+uniform vec3 u_up;  // in the space of the normals
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
@@ -61,7 +62,7 @@ vec3 lit(mat3 frame, vec3 to_eye, vec2 uv) {
     vec3 normal = normalize(frame * vec3(stored.xy * u_normal_strength, stored.z));
     vec3 albedo = seen_in(s_albedo, uv).rgb;
     float open = mix(0.45, 1.0, textureLod(s_heights, uv, 0.0).r);  // the depths see less of the sky
-    vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * normal.y);
+    vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * dot(normal, u_up));
     return light + vec3(1.7, 1.56, 1.36) * blinn_phong(albedo, 0.03, 24.0, normal, u_to_light, to_eye);
 }
 

@@ -33,7 +33,12 @@ void main() {
 #else
     v_left = 1.0;
 #endif
-    float depth = u_scale * v_left * (1.0 - textureLod(s_heights, base.height_uv, 0.0).r);
+    float mip = 0.0;
+#ifdef MIP_OF_PATCH
+    // The neighbour has another level, so it reads another height at a shared vertex: cracks open.
+    mip = max(log2(base.spacing.y) + log2(float(textureSize(s_heights, 0).x)) - log2(c_level), 0.0);
+#endif
+    float depth = u_scale * v_left * (1.0 - textureLod(s_heights, base.height_uv, mip).r);
     v_position = base.position - depth * normalize(base.direction);
     v_normal = base.normal;
     v_tangent = base.tangent;

@@ -215,12 +215,18 @@ vec3 lit(vec3 position, vec3 normal, Water water) {
 
     float share = mirrored_share(dot(visible, to_eye));
     vec3 mirror = sky(reflected(to_eye, visible), u_to_light);
+#ifdef BLUE_MATERIAL
+    // A surface of blue paint: it scatters light in all directions, which water does not.
+    vec3 body = vec3(0.03, 0.16, 0.45) * (0.5 * sky(vec3(0.0, 1.0, 0.0), u_to_light) +
+                                          vec3(1.9, 1.5, 1.1) * max(dot(visible, u_to_light), 0.0));
+#else
     // Light from within the water: more of it comes through the crests of waves in front of the sun.
     float day = 0.2 + 0.8 * clamp(u_to_light.y * 2.0, 0.0, 1.0);
     float crest = clamp(0.35 + 0.9 * v_place.z, 0.0, 1.5);
     float through = pow(max(dot(-to_eye, u_to_light), 0.0), 4.0) * crest;
     vec3 body = day * (vec3(0.004, 0.022, 0.038) + vec3(0.004, 0.030, 0.032) * crest) +
                  through * vec3(0.012, 0.050, 0.040);
+#endif
     vec3 light = mix(body, mirror, share);
     vec3 halfway = normalize(to_eye + u_to_light + vec3(0.0, 1e-5, 0.0));
     float sun = glitter(position, water) * u_shininess / 512.0 * mirrored_share(dot(halfway, to_eye));

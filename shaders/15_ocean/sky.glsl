@@ -1,5 +1,10 @@
-// An evening sky in linear light, in closed form, so that the sea can mirror it.
+// An evening sky in linear light, so that the sea can mirror it: in closed form, or SKY_CUBE, whose sun stands still.
 
+#ifdef SKY_CUBE
+uniform samplerCube s_sky;
+
+vec3 sky(vec3 direction, vec3 to_sun) { return textureLod(s_sky, direction, 0.0).rgb; }
+#else
 vec3 sky(vec3 direction, vec3 to_sun) {
     float up = max(direction.y, 0.0);
     float beside = 0.5 + 0.5 * dot(normalize(direction.xz + vec2(1e-6, 0.0)), normalize(to_sun.xz + vec2(1e-6, 0.0)));
@@ -14,6 +19,7 @@ vec3 sky(vec3 direction, vec3 to_sun) {
     float near = max(dot(direction, to_sun), 0.0);
     return light + vec3(1.0, 0.50, 0.16) * (0.45 * pow(near, 18.0) + 1.5 * pow(near, 420.0)) * step(-0.1, to_sun.y);
 }
+#endif
 
 vec3 sun_disc(vec3 direction, vec3 to_sun) {
     return vec3(30.0, 22.0, 12.0) * smoothstep(0.99988, 0.99993, dot(direction, to_sun));

@@ -431,5 +431,41 @@ TEST(Displacement, BoundsItsTrianglesAtExtremeKnobs) {
     }
 }
 
+TEST(AdaptiveDisplacement, AMipLevelByPatchOpensCracksOnlyWhereLevelsDiffer) {
+    const auto holes = [](const char* method, const char* mip) {
+        Shot shot = eye({{"surface", "torus"},
+                         {"patches", "5"},
+                         {"map", "stones"},
+                         {"size", "256"},
+                         {"method", method},
+                         {"nearest", "2.6"},
+                         {"farthest", "4.2"},
+                         {"mip", mip}},
+                        "winding", {256, 256});
+        shot.camera = {.yaw = 25, .pitch = 35, .distance = 4};
+        return holes_of(drawn("14", shot));
+    };
+    EXPECT_EQ(holes("distance", "base"), 0u);
+    EXPECT_EQ(holes("uniform", "patch"), 0u);
+    EXPECT_GT(holes("distance", "patch"), 300u);
+}
+
+TEST(AdaptiveDisplacement, AMipLevelByPatchChangesTheSurfaceOnlyAtCoarseLevels) {
+    const auto depth = [](const char* level, const char* mip) {
+        return drawn("14", eye({{"method", "uniform"},
+                                {"level", level},
+                                {"mip", mip},
+                                {"size", "256"},
+                                {"map", "stones"},
+                                {"patches", "4"}},
+                               "depth"));
+    };
+    const auto moved = [&](const char* level) {
+        return summarize(error_image(depth(level, "patch"), depth(level, "base"), ErrorMetric::absolute)).largest;
+    };
+    EXPECT_GT(moved("2"), 0.1);  // metres; a vertex stands for 32 texels
+    EXPECT_EQ(moved("64"), 0);   // 256 texels, 4 patches: a texel a segment
+}
+
 }  // namespace
 }  // namespace relief

@@ -39,6 +39,7 @@ TEST(Baking, HitsMatchDoublePrecisionAndNoRayIsLost) {
                                            {{"shape", "mirrored"}, {"low", "2000"}},
                                            {{"cord", "true"}, {"reach", "0.6"}},
                                            {{"reach", "0.2"}},
+                                           {{"ribs", "0.3"}, {"bulge", "0.3"}, {"dents", "0.2"}, {"reach", "0.6"}},
                                            {{"shape", "cube"}}}) {
         std::vector<Knob> small = knobs;
         small.emplace_back("map_size", "128");
@@ -79,6 +80,29 @@ TEST(Baking, AReachOfTheReliefPlusBothSagittasMissesNoTexel) {
     EXPECT_GT(missed({{"reach", "0.2"}}), 500u);
 }
 
+TEST(Baking, ABulgeNeedsAsMuchMoreReachAsItIsHigh) {
+    const auto missed_with = [](const char* bulge, const char* reach) {
+        return missed({{"ribs", "0"}, {"bulge", bulge}, {"reach", reach}});
+    };
+    // The growth lines' 0.012 and the sagittas of 504 triangles, and 0.25 more.
+    EXPECT_EQ(missed_with("0", "0.252"), 0u);
+    EXPECT_EQ(missed_with("0.25", "0.502"), 0u);
+    EXPECT_GT(missed_with("0.25", "0.252"), 100u);
+}
+
+TEST(Baking, SculptingChangesTheFineModelAndTheMapOnly) {
+    const auto normals = [](const char* wears, const char* dents) {
+        return drawn("07", shot_of("07", one({{"wears", wears}, {"dents", dents}}), "normal"));
+    };
+    EXPECT_EQ(normals("nothing", "0").values, normals("nothing", "0.2").values);
+    for (const char* wears : {"map", "high"}) {
+        const Image error = error_image(normals(wears, "0"), normals(wears, "0.2"), ErrorMetric::angle);
+        EXPECT_GT(summarize(error).mean, 2) << wears;
+    }
+    const Shot sculpted = shot_of("07", one({{"dents", "0.2"}, {"map_size", "512"}, {"level", "0"}}), "normal");
+    EXPECT_LT(error_of("07", sculpted).mean, 0.5) << "the map is that of the dents";
+}
+
 TEST(Baking, ALargerMapIsNearerToTheFineModel) {
     double last = 100;
     for (const char* size : {"64", "128", "256", "512"}) {
@@ -113,9 +137,11 @@ TEST(Baking, RunsAgainOnlyWhenAnInputChanges) {
         set_knob(*lab, knob, value);
         EXPECT_EQ(draw_calls(), still) << knob;
     }
-    set_knob(*lab, "low", "2000");
-    EXPECT_EQ(draw_calls(), still + 10) << "the shell's alone";
-    EXPECT_EQ(draw_calls(), still);
+    for (const auto& [knob, value] : {std::pair("low", "2000"), {"bulge", "0.2"}}) {
+        set_knob(*lab, knob, value);
+        EXPECT_EQ(draw_calls(), still + 10) << "the shell's alone: " << knob;
+        EXPECT_EQ(draw_calls(), still);
+    }
 }
 
 TEST(Baking, AMapInObjectSpaceReadsNoTangent) {

@@ -5,6 +5,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
 #include "framework/core/image/bc1.h"
+#include "framework/core/kit/labels.h"
 #include "framework/staff/reference/rgtc.h"
 #include "labs/02_normal_map_storage/blocks.h"
 #include "labs/02_normal_map_storage/maps.h"
@@ -237,6 +238,89 @@ TEST(NormalMapBlocks, AMirroredBorderShowsThatUnsignedBytesHaveNoZero) {
     EXPECT_NEAR(std::abs(jump("bc5", "mirrored")), glm::degrees(2 * 0.5 / 127.5), 1e-3);
     EXPECT_EQ(jump("bc5", "wrapped"), 0);
     EXPECT_EQ(jump("bc5-snorm", "mirrored"), 0);
+}
+
+TEST(NormalMapTextures, OfSignedBytesHaveTheErrorsOfTheHandout) {
+    const Image normals = normal_map(MapName::shapes);
+    Image codes = normals;
+    for (float& value : codes.values) value = std::round(127 * value) / 127;
+    // Measured once; this test repeats it.
+    const auto expect = [&](double mean, double largest, const Image& read) {
+        const Degrees error = error_in_degrees(normals, read, true);
+        EXPECT_NEAR(error.mean, mean, 0.001);
+        EXPECT_NEAR(error.largest, largest, 0.001);
+    };
+    expect(0.191, 0.331, as_normals(in_bytes(as_colors(normals))));
+    expect(0.142, 0.326, codes);
+    expect(51.437, 60.407, as_normals(codes));
+}
+
+/// Returns the probe `normal` in a tile of the view `snorm`, from its upper left pixel with a surface.
+std::vector<glm::vec3> normals_in_tile(const Image& probe, size_t tile) {
+    const glm::ivec2 size(probe.width, probe.height);
+    const auto [corner, extent] = tiles_of(size, 4, Labels::scale_height(size))[tile];
+    std::vector<glm::vec3> normals;
+    for (int y = size.y - corner.y - extent.y; y < size.y - corner.y; ++y)
+        for (int x = corner.x; x < corner.x + extent.x; ++x)
+            if (const float* n = probe.pixel(x, y); n[0] != no_surface) normals.emplace_back(n[0], n[1], n[2]);
+    return normals;
+}
+
+TEST(NormalMapTextures, OfSignedBytesAreReadWithoutTheRuleOfUnsignedOnes) {
+    Shot shot = shot_of("02", {{"view", "snorm"}}, "normal", {256, 256});
+    shot.camera = {.yaw = 0, .pitch = 0, .distance = 4};
+    const Image probe = drawn("02", shot);
+    const auto unsigned_bytes = normals_in_tile(probe, 0), as_read = normals_in_tile(probe, 1),
+               codes = normals_in_tile(probe, 2), twice = normals_in_tile(probe, 3);
+    ASSERT_GT(as_read.size(), 2000u);
+    ASSERT_EQ(as_read.size(), codes.size());
+    for (size_t i = 0; i < codes.size(); ++i)
+        ASSERT_LT(glm::length(as_read[i] - codes[i]), 1e-6) << "code / 127, in single precision";
+    // The first pixel is on the flat border of the map.
+    EXPECT_EQ(as_read[0], glm::vec3(0, 0, 1));
+    EXPECT_EQ(twice[0], glm::vec3(-1, -1, 1));
+    EXPECT_NEAR(glm::degrees(std::atan(glm::length(glm::vec2(unsigned_bytes[0])))), 0.318, 1e-3);
+}
+
+TEST(NormalMapTextures, ShowHeightsOfWhichTheNormalsAreTheSlopes) {
+    // Central differences over a texel; rims and ridges, where the slope jumps, are left out by the median.
+    const Image normals = normal_map(MapName::shapes), heights = storage::height_map(MapName::shapes);
+    std::vector<double> off;
+    for (int y = 1; y + 1 < heights.height; ++y)
+        for (int x = 1; x + 1 < heights.width; ++x) {
+            const auto slope = [&](int dx, int dy) {  // height 1 is 0.3, and a texel 1/32, of half the map
+                return 0.3 * (*heights.pixel(x - dx, y - dy) - *heights.pixel(x + dx, y + dy)) * 16;
+            };
+            const float* n = normals.pixel(x, y);
+            off.push_back(std::hypot(slope(1, 0) - n[0] / n[2], slope(0, -1) - n[1] / n[2]));
+        }
+    std::nth_element(off.begin(), off.begin() + ptrdiff_t(off.size() / 2), off.end());
+    EXPECT_LT(off[off.size() / 2], 0.03);
+}
+
+TEST(NormalMapTextures, HaveAVectorOnEachTexelAlongItsNormal) {
+    Shot shot = shot_of("02", {{"view", "field"}}, "", {960, 960});
+    shot.camera = {.yaw = 0, .pitch = 0, .distance = 2.8};
+    const Image picture = drawn("02", shot), normals = normal_map(MapName::shapes);
+    const glm::dmat4 clip_from_world = Camera(shot.camera, 1).clip_from_world();
+    const auto color_at = [&](glm::dvec3 place) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(place, 1);
+        const glm::ivec2 pixel(480 + 480 * clip.x / clip.w, 480 - 480 * clip.y / clip.w);
+        const float* color = picture.pixel(pixel.x, pixel.y);
+        return glm::vec3(color[0], color[1], color[2]);
+    };
+    int seen = 0;
+    for (int y = 6; y < 26; ++y)
+        for (int x = 6; x < 26; ++x) {  // all on the dome
+            const float* n = normals.pixel(x, y);
+            if (std::hypot(n[0], n[1]) < 0.4) continue;  // short, seen from above
+            const glm::dvec3 foot((x + 0.5) / 16 - 1, 1 - (y + 0.5) / 16, 0), along(n[0], n[1], n[2]);
+            const glm::vec3 needle = color_at(foot + 0.7 * 3.4 / 32 * along);
+            // Needles have no hue: 70 % of (1, 0.97, 0.85). The map's colours are blue and bright.
+            EXPECT_NEAR(needle.x - needle.z, 0.12, 0.1) << x << ' ' << y;
+            ++seen;
+        }
+    EXPECT_GT(seen, 200);
 }
 
 TEST(NormalMapBlocks, MixNoTexelsOfTwoTiles) {

@@ -1,6 +1,7 @@
 // Lab 08: one program per set of material features, sorted glass, and masks that keep their coverage.
 #include <cmath>
 
+#include "framework/core/base/paths.h"
 #include "framework/core/gl/counters.h"
 #include "framework/staff/reference/masks.h"
 #include "labs/08_obj_materials/scene.h"
@@ -119,7 +120,7 @@ TEST(ObjMaterials, HashedAlphaKeepsTheCoverageOfADistantFence) {
 Scene scene_of(const std::string& lines, const char* use = "a") {
     const std::string obj =
         std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl ") + use + "\nf 1/1 2/2 3/3\n";
-    return make_scene(parse_obj(obj, "newmtl a\n" + lines, "m/model.obj"), true, kind_of);
+    return make_scene(parse_obj(obj, "newmtl a\n" + lines, "m/model.obj"), {}, kind_of);
 }
 
 TEST(ObjMaterials, OpacitySelectsGlassOpaqueOrNoPiece) {
@@ -143,9 +144,75 @@ TEST(ObjMaterials, MissingMaterialsAreGreyAndMissingMapsLeftOutWithANote) {
     EXPECT_GT(light.pixel(64, 120)[0], 0.2f);
 }
 
+TEST(ObjMaterials, WordsWithoutEffectAreNamedInANote) {
+    EXPECT_TRUE(scene_of("Kd 1 0 0\nKs 1 1 1\nKe 1 0 0\nNs 9\nd 0.5\n").notes.empty());
+    EXPECT_TRUE(scene_of("map_Kd -bm 2 none.png\n").notes.at(0).ends_with("none.png is not there"));
+    EXPECT_EQ(scene_of("illum 2\n").notes, std::vector<std::string>{"model.mtl:1: illum of 'a' has no effect here"});
+    const Scene scene = scene_of(
+        "Ka 1 1 1\nillum 2\nTf 1 0 0\nillum 1\nmap_Ka a.png\nmap_Ke a.png\nmap_Ns a.png\ndisp a.png\n"
+        "map_d -s 2 2 -o 1 -t 0 -clamp on -mm 0 1 -texres 64 none.png\n");
+    ASSERT_EQ(scene.notes.size(), 2u) << "and the missing map";
+    EXPECT_EQ(scene.notes[0],
+              "model.mtl:1: Ka, illum, Tf, map_Ka, map_Ke, map_Ns, disp, -s, -o, -t, -clamp, -mm and -texres of 'a' "
+              "have no effect here");
+}
+
+TEST(ObjMaterials, EachSwitchLeavesOutItsMapsOnly) {
+    using namespace materials;
+    const ObjModel lawn = read_obj(course_root() / "assets/lawn.obj");  // a lawn, a hedge, bricks
+    const auto features = [&](const MapSwitches& maps) {
+        std::vector<unsigned> all;
+        for (const Piece& piece : make_scene(lawn, maps, kind_of).pieces) all.push_back(piece.features);
+        return all;
+    };
+    using Features = std::vector<unsigned>;
+    const unsigned c = color_map, n = normal_map, h = highlight_map, m = mask_map;
+    EXPECT_EQ(features({}), (Features{c | n, c | m, c | h | n}));
+    EXPECT_EQ(features({.normals = false}), (Features{c, c | m, c | h}));
+    EXPECT_EQ(features({.highlights = false}), (Features{c | n, c | m, c | n}));
+    EXPECT_EQ(features({.masks = false}), (Features{c | n, c, c | h | n}));
+    EXPECT_EQ(features(no_maps), (Features{0, 0, 0}));
+}
+
+TEST(ObjMaterials, WithoutMapDTheMaskIsTheFourthChannelOfTheColours) {
+    using namespace materials;
+    const auto hedge = [](const std::string& lines) {
+        const std::string assets = (course_root() / "assets").string() + "/";
+        const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl a\nf 1 2 3\n";
+        return make_scene(parse_obj(obj, "newmtl a\n" + lines, assets + "model.obj"), {}, kind_of).pieces.at(0);
+    };
+    EXPECT_TRUE(hedge("map_Kd ivy_with_alpha.png\n").mask_is_alpha);
+    EXPECT_EQ(hedge("map_Kd leaves_albedo.png\n").features, unsigned(color_map)) << "three channels";
+    const Piece both = hedge("map_Kd ivy_with_alpha.png\nmap_d wire_mask.png\n");
+    EXPECT_EQ(both.mask, "wire_mask.png");
+    EXPECT_FALSE(both.mask_is_alpha);
+    // The leaves' formula, by 64 x 64 rays. A texel of the mask is 4 mm wide.
+    Shot shot = shot_of("08", {{"view", "one"}, {"file", "lawn"}}, "coverage");
+    shot.camera = {.yaw = 0, .pitch = 5, .distance = 2, .target = {0, 0.5, -1.2}};
+    EXPECT_LT(error_of("08", shot).mean, 0.06);
+}
+
+TEST(ObjMaterials, AWipeOfNormalsHasTheColoursOnBothSides) {
+    const auto picture = [](std::vector<Knob> knobs) {
+        knobs.insert(knobs.end(), {{"view", "one"}, {"file", "lawn"}, {"lamp", "sun"}, {"light_pitch", "40"}});
+        Shot shot = shot_of("08", knobs, "", {128, 96});
+        shot.camera = {.yaw = 10, .pitch = 30, .distance = 4};
+        return drawn("08", shot);
+    };
+    const Image on = picture({}), off = picture({{"normal_maps", "off"}}), both = picture({{"maps", "wipe-normals"}});
+    size_t apart = 0;
+    for (int y = 0; y < 60; ++y)  // above the notes
+        for (int x = 0; x < 128; ++x)
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_EQ(both.pixel(x, y)[c], (x < 64 ? on : off).pixel(x, y)[c]) << x << ' ' << y;
+                apart += std::abs(on.pixel(x, y)[c] - off.pixel(x, y)[c]) > 0.02f;
+            }
+    EXPECT_GT(apart, 300u);
+}
+
 TEST(ObjMaterials, AnInvalidFileThrowsAOneLineError) {
     try {
-        make_scene(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 9\n", "", "m/bad.obj"), true, kind_of);
+        make_scene(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 9\n", "", "m/bad.obj"), {}, kind_of);
         ADD_FAILURE() << "was read";
     } catch (const Error& error) {
         EXPECT_TRUE(std::string(error.what()).starts_with("m/bad.obj:5: ")) << error.what();

@@ -1,4 +1,8 @@
 // Lab 04: which map stays valid under which motion.
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/gl/counters.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -21,6 +25,53 @@ TEST(ObjectSpace, EachMapSurvivesExactlyItsOwnMotions) {
             ++cells;
         }
     EXPECT_EQ(cells, 9);
+}
+
+/// Returns a third of the picture of the view `baked`, from the left: baked light, the world-space map, the
+/// tangent-space map.
+Image baked_view(std::vector<Knob> knobs, int third) {
+    knobs.insert(knobs.end(), {{"view", "baked"}, {"show_map", "off"}});
+    const Image whole = drawn("04", shot_of("04", knobs, "", {384, 128}));
+    Image part(128, 100, 3);  // without the caption
+    for (int y = 0; y < part.height; ++y) std::copy_n(whole.pixel(128 * third, y + 28), 3 * 128, part.pixel(0, y));
+    return part;
+}
+
+double mean_difference(const Image& a, const Image& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.values.size(); ++i) sum += std::abs(double(a.values[i]) - double(b.values[i]));
+    return sum / double(a.values.size());
+}
+
+TEST(ObjectSpace, BakedLightIsRightForItsLampAndPoseOnly) {
+    const auto off = [](std::vector<Knob> knobs) {
+        return mean_difference(baked_view(knobs, 0), baked_view(knobs, 2));
+    };
+    const double at_rest = off({{"twist", "0"}});
+    EXPECT_LT(at_rest, 0.01) << "light is filtered here, and normals are filtered there";
+    EXPECT_GT(off({{"twist", "0"}, {"light_yaw", "-60"}}), 5 * at_rest);
+    EXPECT_GT(off({{"twist", "0"}, {"rotate", "60"}}), 5 * at_rest);
+}
+
+TEST(ObjectSpace, BakedLightIgnoresTheLampAndAWorldSpaceMapFollowsIt) {
+    const auto moved = [](int third) {
+        return mean_difference(baked_view({{"light_yaw", "-60"}}, third), baked_view({{"light_yaw", "40"}}, third));
+    };
+    EXPECT_EQ(moved(0), 0);
+    EXPECT_GT(moved(1), 0.02);
+}
+
+TEST(ObjectSpace, LightIsBakedOnce) {
+    Shot shot = shot_of("04", {{"view", "baked"}});
+    const auto lab = make_lab(find_lab("04"), shot);
+    const auto draws = [&] {
+        const int64_t before = counters().draw_calls;
+        render_shot(*lab, shot);
+        return counters().draw_calls - before;
+    };
+    const int64_t first = draws();
+    set_knob(*lab, "light_yaw", "90");
+    EXPECT_EQ(draws(), first - 1);
 }
 
 TEST(ObjectSpace, AtRestTheThreeMapsAgree) {

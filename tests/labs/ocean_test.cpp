@@ -288,5 +288,46 @@ TEST(Ocean, UnusedMapsAreNotLoaded) {
     EXPECT_LT(bytes({{"view", "one"}, {"far", "plain"}, {"displace", "false"}}), 0.12 * double(all)) << "heights";
 }
 
+Image picture_of(std::vector<Knob> knobs, glm::ivec2 size = {96, 64}) {
+    return drawn("15", shot_of("15", std::move(knobs), "", size));
+}
+
+TEST(Ocean, TheViewOfTheMapsShowsThem) {
+    const Image picture = picture_of({{"view", "maps"}}, {1024, 1024});
+    for (int map = 0; map < 2; ++map) {
+        const auto maps = make_maps(map);
+        for (const glm::ivec2 texel : {glm::ivec2(60, 70), {128, 128}, {200, 90}, {33, 240}}) {
+            // A tile of 512 pixels has a map of 460 in its middle. The pixel's centre is near that of the texel.
+            const glm::dvec2 place = (glm::dvec2(texel) + 0.5) * (460.0 / map_texels) + 26.0;
+            const int x = 512 * map + int(place.x);
+            const float* const height = picture.pixel(x, int(place.y));
+            const float* const normal = picture.pixel(x, 512 + int(place.y));
+            EXPECT_NEAR(height[0], 0.5 + 0.6 * double(maps.waves.pixel(texel.x, texel.y)[2]), 0.02);
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(normal[c], maps.normals.pixel(texel.x, texel.y)[c], 0.03);
+        }
+    }
+}
+
+TEST(Ocean, TheSunOfACubeMapStandsStill) {
+    const auto corner = [](const char* sky, const char* yaw) {
+        const Image picture = picture_of({{"view", "one"}, {"sky", sky}, {"light_yaw", yaw}});
+        return std::vector<float>(picture.pixel(0, 0), picture.pixel(0, 0) + 3);
+    };
+    EXPECT_EQ(corner("cube", "0"), corner("cube", "40"));
+    EXPECT_NE(corner("formula", "0"), corner("formula", "40"));
+}
+
+TEST(Ocean, ABluePaintedSeaIsBluerThanWater) {
+    const auto blue = [](const char* material) {  // from above, where water mirrors little
+        Shot shot = shot_of("15", {{"view", "one"}, {"material", material}, {"light_pitch", "40"}}, "", {64, 64});
+        shot.camera = {.yaw = 180, .pitch = 70, .distance = 30};
+        const Image picture = drawn("15", shot);
+        double sum = 0;
+        for (size_t i = 0; i < picture.values.size(); i += 3) sum += double(picture.values[i + 2] - picture.values[i]);
+        return sum / double(picture.pixel_count());
+    };
+    EXPECT_GT(blue("blue"), blue("water") + 0.1);
+}
+
 }  // namespace
 }  // namespace relief

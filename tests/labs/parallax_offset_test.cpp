@@ -305,5 +305,26 @@ TEST(ParallaxOffset, ATileOfAnUnwrittenTaskShowsNoFigure) {
     EXPECT_TRUE(has_only_chequer_below_its_tiles(drawn("10", shot), 5, 3));
 }
 
+/// Returns the rays in the view `eye`, in texels from the top to the ground.
+Image rays(const char* eye, const char* turn, const char* away) {
+    return drawn("10", shot_of("10", {{"view", "eye"}, {"eye", eye}, {"turn", turn}, {"away", away}}, "ray"));
+}
+
+ErrorSummary apart(const Image& a, const Image& b) { return summarize(error_image(a, b, ErrorMetric::distance)); }
+
+TEST(ParallaxOffset, TheEyeByTheInverseMatrixGivesTheRayOfDotProductsButForRounding) {
+    EXPECT_EQ(rays("world", "0", "0").values, rays("inverse", "0", "0").values) << "the matrix is the identity";
+    const ErrorSummary turned = apart(rays("world", "40", "0"), rays("inverse", "40", "0"));
+    EXPECT_GT(turned.mean, 0);
+    EXPECT_LT(turned.largest, 0.001) << "rounding of floats";
+}
+
+TEST(ParallaxOffset, FarFromTheOriginOnlyAnInverseInDoublesKeepsTheRay) {
+    const Image near_by = rays("inverse-in-double", "40", "0");
+    EXPECT_GT(apart(rays("world", "40", "10000"), near_by).mean, 0.03);
+    EXPECT_GT(apart(rays("inverse", "40", "10000"), near_by).mean, 0.03);
+    EXPECT_EQ(apart(rays("inverse-in-double", "40", "10000"), near_by).largest, 0) << "the same floats";
+}
+
 }  // namespace
 }  // namespace relief

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "framework/core/gl/counters.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/visualize.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -40,6 +42,66 @@ TEST(TangentBasis, BOfAFaceFollowsVWhereItIsShearedAndTheFrameDoesNot) {
     };
     EXPECT_LT(off("per-face"), 0.01) << "single precision";
     EXPECT_NEAR(off("angle"), glm::degrees(std::atan(0.6)), 0.01) << "across T, which is turned by the shear";
+}
+
+Shot frame_shot(const char* shape, const char* frame, const char* probe) {
+    return shot_of("05", {{"view", "frames"}, {"frame", frame}, {"shape", shape}, {"shear", "0.6"}}, probe);
+}
+
+TEST(TangentBasis, OnlyAnAveragedBFollowsVOnAShearedQuad) {
+    const double shear = glm::degrees(std::atan(0.6));
+    EXPECT_LT(error_of("05", frame_shot("quad", "averaged", "dp_dv")).mean, 0.01) << "single precision";
+    EXPECT_NEAR(error_of("05", frame_shot("quad", "w", "dp_dv")).mean, shear, 0.01);
+    EXPECT_NEAR(error_of("05", frame_shot("quad", "orthogonal", "dp_dv")).mean, shear, 0.01);
+}
+
+TEST(TangentBasis, ThreeVectorsMadeOrthogonalGiveTheBOfACrossProduct) {
+    for (const char* shape : {"torus", "mirrored"}) {
+        const auto b = [&](const char* frame) { return drawn("05", frame_shot(shape, frame, "bitangent")); };
+        const auto off = [&](const char* frame) {
+            return summarize(error_image(b(frame), b("w"), ErrorMetric::angle));
+        };
+        EXPECT_LT(off("orthogonal").largest, 0.05) << shape << ": single precision";
+        EXPECT_GT(off("averaged").mean, 0.3) << shape;
+    }
+}
+
+TEST(TangentBasis, OnATorusAnAveragedBIsFartherOffThanACrossProduct) {
+    const auto off = [](const char* frame) { return error_of("05", frame_shot("torus", frame, "dp_dv")).mean; };
+    EXPECT_GT(off("averaged"), 1.3 * off("w"));
+}
+
+TEST(TangentBasis, AFrameByTheNormalAloneIsOrthonormalAndIgnoresTheTexture) {
+    for (const char* shape : {"quad", "box", "cylinder", "sphere", "torus", "mirrored"}) {
+        const Image frame = drawn("05", frame_shot(shape, "normal-alone", "frame"));
+        for (size_t i = 0; i < frame.pixel_count(); ++i) {
+            const float* const values = &frame.values[i * 4];  // length of T, cosine of T and N, w
+            if (values[0] == no_surface) continue;
+            ASSERT_NEAR(values[0], 1, 1e-5) << shape;
+            ASSERT_NEAR(values[1], 0, 1e-5) << shape;
+        }
+        EXPECT_GT(error_of("05", frame_shot(shape, "normal-alone", "tangent")).mean, 45) << shape;
+    }
+}
+
+TEST(TangentBasis, TheColoursOfTheViewFramesAreTheAnglesToDPdV) {
+    for (const char* shape : {"quad", "box", "cylinder", "sphere", "torus", "mirrored"}) {
+        Shot shot = frame_shot(shape, "averaged", "dp_dv");
+        const auto lab = make_lab(find_lab("05"), shot);
+        const Image error = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::angle);
+        shot.probe = {};
+        shot.set.insert(shot.set.end(), {{"show", "error"}});
+        const Image picture = drawn("05", shot);
+        size_t seen = 0, equal = 0;
+        for (size_t i = 0; i < picture.pixel_count(); ++i) {
+            if (!std::isfinite(error.values[i])) continue;
+            const float* const p = &picture.values[i * 3];
+            const glm::dvec3 expected = heat_color((std::log10(std::max(double(error.values[i]), 1e-6)) + 2) / 4);
+            ++seen;
+            equal += glm::length(glm::dvec3(p[0], p[1], p[2]) - expected) < 0.04;
+        }
+        EXPECT_GT(double(equal), 0.85 * double(seen)) << shape << ": the rest is below captions, or on edges";
+    }
 }
 
 TEST(TangentBasis, DisabledLinesCostNoDrawAndNoProgram) {

@@ -42,7 +42,10 @@ struct Material {
     std::filesystem::path bump_map;          ///< map_Bump, map_bump or bump: heights, and in some files normals
     std::filesystem::path normal_map;        ///< norm
     std::filesystem::path displacement_map;  ///< disp or map_disp
-    std::filesystem::path file = {};         ///< the MTL file; `line` is the line of its newmtl
+    /// Keywords of its statements and options of its maps, each once, in the order of the file, at most 32. They tell a
+    /// renderer which of them it does not use, also of those that have no member here (Tf, -clamp).
+    std::vector<std::string> words = {};
+    std::filesystem::path file = {};  ///< the MTL file; `line` is the line of its newmtl
     int line = 0;
 };
 

@@ -11,19 +11,26 @@
 #include <set>
 #include <sstream>
 
+#include "framework/core/base/text.h"
 #include "framework/core/mesh/obj_parts.h"
 
 namespace relief::obj {
 namespace {
 
-constexpr size_t most_materials = 4096;
+constexpr size_t most_materials = 4096, most_words = 32;  // words of a material
+
+/// The options of a map, with the numbers of their arguments.
+const std::map<std::string_view, int>& arguments_of_options() {
+    static const std::map<std::string_view, int> arguments_of = {
+        {"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},      {"-clamp", 1}, {"-bm", 1}, {"-texres", 1}, {"-type", 1},
+        {"-imfchan", 1}, {"-mm", 2},     {"-colorspace", 1}, {"-o", 3},     {"-s", 3},  {"-t", 3}};
+    return arguments_of;
+}
 
 /// Takes options off the front, and returns them with all their numbers. `is_end` means that no name follows; then the
 /// result is empty if an option lacks its arguments.
 std::string take_options(std::string_view& rest, bool is_end) {
-    static const std::map<std::string_view, int> arguments_of = {
-        {"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},      {"-clamp", 1}, {"-bm", 1}, {"-texres", 1}, {"-type", 1},
-        {"-imfchan", 1}, {"-mm", 2},     {"-colorspace", 1}, {"-o", 3},     {"-s", 3},  {"-t", 3}};
+    const auto& arguments_of = arguments_of_options();
     std::string whole;
     while (true) {
         std::string_view after = rest;
@@ -45,31 +52,48 @@ std::string take_options(std::string_view& rest, bool is_end) {
     return whole;
 }
 
-/// Returns the options of a map with all their numbers, from before and after its name, and then its name without
-/// quotes. Each of these may be empty.
-std::string with_whole_options(std::string_view rest) {
+/// The options of a map with all their numbers, from before and after its name, and its name without quotes. Each of
+/// these may be empty.
+struct MapWords {
+    std::string options, name;
+};
+
+MapWords map_words(std::string_view rest) {
     std::string whole = take_options(rest, false);
     std::string_view name = trimmed(rest), end;
     if (const size_t quote = name.find('"', 1); name.starts_with('"') && quote != std::string_view::npos) {
         end = name.substr(quote + 1), name = name.substr(1, quote - 1);
-        return take_options(end, true) + whole.append(name);
+        return {take_options(end, true) + whole, std::string(name)};
     }
     // A word like an option may be part of the name. It is an option only if nothing but options follows it.
     for (size_t dash = name.find(" -"); dash != std::string_view::npos; dash = name.find(" -", dash + 1)) {
         end = name.substr(dash + 1);
         std::string options = take_options(end, true);
-        if (!options.empty() && trimmed(end).empty()) return options + whole.append(trimmed(name.substr(0, dash)));
+        if (!options.empty() && trimmed(end).empty())
+            return {options + whole, std::string(trimmed(name.substr(0, dash)))};
     }
-    return whole.append(name);
+    return {whole, std::string(name)};
 }
 
-/// Returns the line of a statement for tinyobjloader, or an empty string to skip it.
-std::string checked(const Statements& statement, Notes& notes) {
+/// Returns the line of a statement for tinyobjloader, or an empty string to skip it. Adds its keyword and its options
+/// to `words`, unless they are there.
+std::string checked(const Statements& statement, std::vector<std::string>& words, Notes& notes) {
+    const auto add = [&](std::string_view word) {
+        if (words.size() < most_words && std::find(words.begin(), words.end(), word) == words.end())
+            words.push_back(excerpt(word));
+    };
+    add(statement.keyword());
+
     static const std::set<std::string_view> maps = {"map_Ka",   "map_Kd",   "map_Ks",  "map_Ke", "map_Ns",
                                                     "map_d",    "norm",     "bump",    "disp",   "map_bump",
                                                     "map_Bump", "map_disp", "map_Disp"};
     const std::string keyword(statement.keyword());
-    if (maps.contains(keyword)) return fmt::format("{} {}\n", keyword, with_whole_options(statement.rest()));
+    if (maps.contains(keyword)) {
+        const auto [options, name] = map_words(statement.rest());
+        for (const std::string& word : split(options, ' '))
+            if (arguments_of_options().contains(word)) add(word);
+        return fmt::format("{} {}{}\n", keyword, options, name);
+    }
 
     static const std::map<std::string_view, int> numbers_of = {{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"Ke", 3},
                                                                {"d", 1},  {"Tr", 1}, {"Ns", 1}, {"illum", 1}};
@@ -110,6 +134,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
     std::string shown;
     std::vector<std::string> names;
     std::vector<int> lines;  // of the names
+    std::vector<std::vector<std::string>> words;
     Statements statements(text, file);
     try {
         while (statements.next()) {
@@ -121,8 +146,9 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                 shown += fmt::format("newmtl {}\nKd 1 1 1\n", names.size());
                 names.emplace_back(statements.rest());
                 lines.push_back(statements.line());
+                words.emplace_back();
             } else if (!names.empty()) {
-                shown += checked(statements, notes);
+                shown += checked(statements, words.back(), notes);
             }
         }
     } catch (const Error& error) {
@@ -154,6 +180,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                              .bump_map = map_path(material.bump_texname, folder),
                              .normal_map = map_path(material.normal_texname, folder),
                              .displacement_map = map_path(material.displacement_texname, folder),
+                             .words = words[materials.size()],
                              .file = file,
                              .line = lines[materials.size()]});
     }

@@ -14,7 +14,7 @@ namespace {
 struct Scene {
     explicit Scene(const Recipe& of, bool other_diagonal)
         : recipe(of),
-          high(make_high(of.model, high_finenesses[size_t(of.high)], of.cord)),
+          high(make_high(of.model, high_finenesses[size_t(of.high)], of.cord, of.sculpt)),
           low(make_low(of.model, low_finenesses[size_t(of.low)], of.overlapping, other_diagonal)),
           high_tree(build_tree(high)) {}
 

@@ -53,7 +53,7 @@ const ExactMap& exact_map(const std::string& asset, bool is_color) {
 /// Returns the kind of a picture of the course, independent of a student's kind_of().
 MapKind true_kind(const std::string& asset) {
     if (asset.ends_with("_height.png")) return MapKind::heights;
-    return asset.starts_with("bricks_normal") ? MapKind::normals : MapKind::neither;
+    return asset.ends_with("_normal.png") ? MapKind::normals : MapKind::neither;
 }
 
 bool is_covered(const std::string& mask, const glm::dvec2& uv) {

@@ -112,6 +112,17 @@ TEST(ObjMaterials, OptionsMayFollowAMapName) {
     EXPECT_EQ(material("map_Kd wall -bm\n").diffuse_map, "m/wall -bm") << "an option has its number";
 }
 
+TEST(ObjMaterials, KeepTheirWordsOnceInTheOrderOfTheFile) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(material("").words, Words{});
+    EXPECT_EQ(material("Kd 1 1 1\nTf 1 1 1\nKd 0 0 0\n").words, (Words{"Kd", "Tf"}));
+    EXPECT_EQ(material("map_Kd -s 2 2 wall -o.png -clamp on\n").words, (Words{"map_Kd", "-clamp", "-s"}));
+    EXPECT_EQ(material("map_Kd -s.png\n").words, Words{"map_Kd"}) << "it is the name";
+    std::string many;
+    for (int i = 0; i < 100; ++i) many += "x" + std::to_string(i) + "\n";
+    EXPECT_EQ(material(many).words.size(), 32u);
+}
+
 TEST(ObjMaterials, MapNamesMayBeQuoted) {
     EXPECT_EQ(material("map_Kd \"my wall.png\"\n").diffuse_map, "m/my wall.png");
     EXPECT_EQ(material("map_bump -clamp on \"my -s wall.png\" -bm 2\n").bump_map, "m/my -s wall.png");
