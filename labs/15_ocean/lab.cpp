@@ -16,7 +16,7 @@
 #include "framework/core/kit/view_axes.h"
 #include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
-#include "patches.h"
+#include "rings.h"
 #include "water.h"
 
 namespace relief::ocean {
@@ -63,8 +63,8 @@ public:
         knobs.toggle("lock", lock_, "normal maps lie as the height maps do; else they are tiled three times as often");
         knobs.choice("level", level_, levels, "mip level of the maps that a pixel reads");
         knobs.group("Raised waves");
-        knobs.toggle("displace", patches_.displace, "raise the waves near the eye by tessellation");
-        knobs.slider("budget", patches_.budget, 0.25f, 16, "error of the raised waves, pixels");
+        knobs.toggle("displace", rings_.displace, "raise the waves near the eye");
+        knobs.slider("budget", rings_.budget, 0.25f, 16, "error of the raised waves, pixels");
         knobs.toggle("wire", wire_, "draw the triangles' edges");
         light_.knobs(knobs, -5, 90);
     }
@@ -75,7 +75,7 @@ public:
                             {.layers = water_.layers(),
                              .shininess = double(shininess_),
                              .to_light = light_.direction<double>(),
-                             .displaced = patches_.displace,
+                             .displaced = rings_.displace,
                              .whole_spread = level_ == int(levels.size()) - 1,
                              .exact_fresnel = fresnel_ == exact});
     }
@@ -223,9 +223,7 @@ private:
         draw_sea(view, view.purpose);
         glDisable(GL_POLYGON_OFFSET_FILL);
         if (!wire_) return;
-        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         draw_sea(view, "WIRE");
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
     void draw_sky(const Frame& frame) {
@@ -238,10 +236,9 @@ private:
     }
 
     void draw_sea(const View& view, const Define& purpose) {
-        const bool is_raised = !view.is_error() && patches_.are_raised(view.frame, water_);
+        const bool is_raised = !view.is_error() && rings_.are_raised(view.frame, water_);
         const Program& program = program_of(view, purpose, is_raised);
         glUseProgram(program);
-        patches_.set(program, view.frame, water_, is_raised);
         water_.set(program, view.frame.camera.eye(), view.frame.time);
         program.set("u_level", view.is_error() ? 0.0f : float(level_ - 1));
         program.set("u_detail", lock_ ? 1.0f : 3.0f);
@@ -257,7 +254,7 @@ private:
         program.set("u_error_scale", error_scale);
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (is_lit(view, purpose) && sky_of_ == by_cube) program.set("s_sky", sky_unit, cube_);
-        patches_.draw();
+        rings_.draw(program, view.frame, water_, is_raised, purpose.text == "WIRE");
     }
 
     static bool is_lit(const View& view, const Define& purpose) { return purpose.text != "WIRE" && !view.is_error(); }
@@ -274,7 +271,7 @@ private:
              level_ > 0 || view.is_error() ? "ONE_LEVEL" : ""});
     }
 
-    Programs sea_{"15_ocean/sea.vert", "15_ocean/sea.tesc", "15_ocean/sea.tese", "15_ocean/sea.frag"};
+    Programs sea_{"15_ocean/sea.vert", "15_ocean/sea.frag"};
     Programs sky_{"common/window.vert", "15_ocean/sky.frag"};
     Programs map_{"common/window.vert", "15_ocean/map.frag"};
     static constexpr int sky_unit = 6;  ///< after those of the maps
@@ -283,7 +280,7 @@ private:
     std::array<Kept<double, std::vector<std::string>, int>, 2> means_;
     Labels labels_;
     Water water_;
-    Patches patches_;
+    Rings rings_;
 
     int view_ = halves, combine_ = slopes, source_ = maps, far_ = lean, samples_ = 2, fresnel_ = schlick, level_ = 0,
         material_ = water, sky_of_ = by_formula;

@@ -1,16 +1,36 @@
 #version 410 core
-// The corners of the sea's patches. They form rings around the point below the eye, out to the horizon. Radii grow by a
-// constant ratio. There are no buffers: the position follows from the vertex number.
+// The surface of the water. A vertex reads the mip level of the height map that fits its segments. Far away segments
+// are longer than the waves, so the sea becomes flat by itself.
 
-uniform vec3 u_rings;         // sectors, radius of the first ring, ratio of two radii
-uniform float u_segments[27]; // longest segments at each ring: exponents of 2 of metres
+#include "15_ocean/maps.glsl"
 
-out vec3 v_polar;  // radius, angle, exponent of the longest segment
+layout(location = 0) in vec3 a_polar;  // radius, angle, exponent of 2 of the longest segment
+
+uniform mat4 u_clip_from_eye;
+uniform float u_eye_height;
+uniform float u_near;
+
+out vec3 v_place;  // metres from the eye along x and z; height
+
+float height_at(vec2 place, float segment) {
+    float sum = 0.0;
+#ifndef FLAT
+#ifdef FIRST
+    sum += u_amplitude.x * textureLod(s_waves_1, map_uv(place, 0), level_of(segment, 0)).z;
+#endif
+#ifdef SECOND
+    sum += u_amplitude.y * textureLod(s_waves_2, map_uv(place, 1), level_of(segment, 1)).z;
+#endif
+#endif
+    return sum;
+}
 
 void main() {
-    int patch_ = gl_VertexID / 4, corner = gl_VertexID % 4, sectors = int(u_rings.x);
-    int ring = patch_ / sectors + (corner == 2 || corner == 3 ? 1 : 0);
-    int sector = patch_ % sectors + (corner == 1 || corner == 2 ? 1 : 0);
-    float radius = ring == 0 ? 0.0 : u_rings.y * pow(u_rings.z, float(ring - 1));
-    v_polar = vec3(radius, 6.28318531 * float(sector) / u_rings.x, u_segments[ring]);
+    // `precise` makes both patches at an edge compute the same bits for its vertices.
+    precise vec2 place = a_polar.x * vec2(sin(a_polar.y), cos(a_polar.y));
+    precise float height = height_at(place, exp2(a_polar.z));
+    v_place = vec3(place, height);
+    // There is no far plane.
+    gl_Position = u_clip_from_eye * vec4(place.x, height - u_eye_height, place.y, 1.0);
+    gl_Position.z = gl_Position.w - 2.0 * u_near;
 }

@@ -241,6 +241,19 @@ TEST(Ocean, AWholeSpreadWithoutCovarianceOrWavesIsASingleSlope) {
     EXPECT_LE(most, 1.0f);
 }
 
+// Between two rings with different numbers of vertices, and at the ends of the budget.
+TEST(Ocean, NeighbouringRingsLeaveNoHole) {
+    for (const char* budget : {"0.25", "1", "4", "16"})
+        for (const double distance : {6.0, 25.0, 90.0}) {
+            Shot shot = shot_of("15", {{"view", "one"}, {"budget", budget}, {"wind", "12"}}, "height", {160, 160});
+            shot.camera = {.yaw = 25, .pitch = 55, .distance = distance, .target = {0, 4, 0}};
+            const Image found = drawn("15", shot);
+            for (size_t i = 0; i < found.values.size(); i += 4)
+                ASSERT_NE(found.values[i], no_surface)
+                    << "budget " << budget << ", " << distance << " m, pixel " << i / 4;
+        }
+}
+
 TEST(Ocean, DisplacedWavesKeepTheBudgetAndLeaveNoHole) {
     Shot shot = shot_of("15", {{"view", "one"}, {"budget", "0.5"}}, "height", {96, 96});
     shot.camera = {.yaw = 200, .pitch = 40, .distance = 20, .target = {0, 0, 0}};
@@ -266,7 +279,7 @@ int64_t triangles_of(const std::vector<Knob>& knobs) {
     return count;
 }
 
-TEST(Ocean, WavesBelowTheBudgetAreNotTessellated) {
+TEST(Ocean, WavesBelowTheBudgetGetNoFinerGrid) {
     const int64_t flat = triangles_of({{"view", "one"}, {"displace", "false"}});
     EXPECT_LT(flat, 26 * 48 * 2 / 3) << "patches outside of the picture are culled";
     EXPECT_GT(triangles_of({{"view", "one"}, {"budget", "0.25"}}), 3 * flat);
