@@ -71,4 +71,10 @@ private:
     std::vector<nlohmann::json> events_;
 };
 
+/// Returns the browser of all tests of a program, which starts when it is first needed.
+inline Browser& browser() {
+    static Browser one;
+    return one;
+}
+
 }  // namespace relief

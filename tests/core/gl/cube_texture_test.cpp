@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-ShaderSource source(const char* stage, const char* text) {
+ShaderSource cube_source(const char* stage, const char* text) {
     ShaderSource made;
     made.stage = stage, made.text = text;
     made.names = {"s_sky", "u_direction"};
@@ -22,13 +22,14 @@ ShaderSource source(const char* stage, const char* text) {
 
 /// Returns the shader's sample in a direction. The fourth component is the level.
 glm::vec3 sampled(const CubeTexture& texture, const glm::vec4& direction) {
-    const Program program({source("a.vert",
-                                  "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
-                                  "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n"),
-                           source("a.frag",
-                                  "#version 410 core\nuniform samplerCube s_sky;\nuniform vec4 u_direction;\n"
-                                  "out vec4 o_color;\nvoid main() { o_color = textureLod(s_sky, u_direction.xyz, "
-                                  "u_direction.w); }\n")});
+    const Program program(
+        {cube_source("a.vert",
+                     "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                     "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n"),
+         cube_source("a.frag",
+                     "#version 410 core\nuniform samplerCube s_sky;\nuniform vec4 u_direction;\n"
+                     "out vec4 o_color;\nvoid main() { o_color = textureLod(s_sky, u_direction.xyz, "
+                     "u_direction.w); }\n")});
     const Target target(TargetKind::probe, {1, 1});
     const VertexArrayName layout;
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());

@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-ShaderSource source(const char* stage, const char* text) {
+ShaderSource depth_source(const char* stage, const char* text) {
     ShaderSource made;
     made.stage = stage, made.text = text;
     made.names = {"s_depth", "u_place"};
@@ -23,10 +23,11 @@ constexpr const char* whole =
 
 /// Returns one pixel of a shader with a depth comparison.
 float compared(const DepthTarget& depth, const glm::vec3& place) {
-    const Program program({source("a.vert", whole),
-                           source("a.frag",
-                                  "#version 410 core\nuniform sampler2DShadow s_depth;\nuniform vec3 u_place;\n"
-                                  "out vec4 o_color;\nvoid main() { o_color = vec4(texture(s_depth, u_place)); }\n")});
+    const Program program(
+        {depth_source("a.vert", whole),
+         depth_source("a.frag",
+                      "#version 410 core\nuniform sampler2DShadow s_depth;\nuniform vec3 u_place;\n"
+                      "out vec4 o_color;\nvoid main() { o_color = vec4(texture(s_depth, u_place)); }\n")});
     const Target target(TargetKind::probe, {1, 1});
     const VertexArrayName layout;
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -76,7 +77,8 @@ TEST(DepthTarget, StoresTheDrawnDepthWithRowZeroAtTheTop) {
     const DepthTarget depth({2, 2});
     depth.begin();
     glClear(GL_DEPTH_BUFFER_BIT);
-    const Program program({source("a.vert", whole), source("a.frag", "#version 410 core\nvoid main() {}\n")});
+    const Program program(
+        {depth_source("a.vert", whole), depth_source("a.frag", "#version 410 core\nvoid main() {}\n")});
     const VertexArrayName layout;
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_SCISSOR_TEST);

@@ -1,14 +1,18 @@
 // Runs a program of GL tests in one context: `--context osmesa`, `--context egl`, or `--context auto`, which is OSMesa
 // where it is installed. The software renderer is pinned, so that every machine produces the same bits. `--context gpu`
-// runs them on a hardware driver: by hand, since no test machine has one.
+// runs them on a hardware driver: by hand, since no test machine has one. With `--sample`, leaves out the labs that are
+// not among those of `./relief test --ci`.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdio>
 #include <cstring>
 
 #include "framework/core/base/error.h"
 #include "framework/core/context/context.h"
 #include "framework/core/gl/gl.h"
+#include "framework/core/lab/registry.h"
+#include "tests/support.h"
 
 namespace {
 
@@ -20,10 +24,32 @@ class NoErrorLeft final : public testing::EmptyTestEventListener {
     }
 };
 
+/// Returns the name of a lab's own tests: BaseColor for `base_color`.
+std::string tests_of(const std::string& lab) {
+    std::string name;
+    bool is_first = true;
+    for (const char letter : lab) {
+        if (letter != '_') name += is_first ? char(std::toupper(letter)) : letter;
+        is_first = letter == '_';
+    }
+    return name;
+}
+
+/// Excludes the tests of the labs that are not in the sample: a lab's own, and those that have it as their parameter.
+void leave_out_other_labs() {
+    std::string filter = GTEST_FLAG_GET(filter);
+    for (const relief::LabEntry& lab : relief::registry()) {
+        if (relief::is_in_sample(lab.two_digits())) continue;
+        filter += (filter.find('-') == std::string::npos ? "-" : ":") + tests_of(lab.name) + ".*:*" + lab.folder;
+    }
+    GTEST_FLAG_SET(filter, filter);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
+    if (argc == 4 && std::strcmp(argv[3], "--sample") == 0) --argc, leave_out_other_labs();
     if (argc != 3 || std::strcmp(argv[1], "--context") != 0) {
         std::fprintf(stderr, "usage: %s --context osmesa|egl|auto|gpu\n", argv[0]);
         return 2;

@@ -9,15 +9,16 @@
 namespace relief {
 namespace {
 
-constexpr const char* vertex = "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n";
-constexpr const char* fragment =
+constexpr const char* renewed_vertex = "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n";
+constexpr const char* renewed_fragment =
     "#version 410 core\n#include \"light.glsl\"\nuniform float u_a;\nout vec4 o_color;\n"
     "void main() {\n#ifdef MORE\no_color = vec4(u_a);\n#else\no_color = vec4(light());\n#endif\n}\n";
 
 class RenewPrograms : public testing::Test {
 protected:
     TemporaryFolder folder_;
-    const std::filesystem::path vert_ = folder_.write("a.vert", vertex), frag_ = folder_.write("a.frag", fragment);
+    const std::filesystem::path vert_ = folder_.write("a.vert", renewed_vertex),
+                                frag_ = folder_.write("a.frag", renewed_fragment);
     const std::filesystem::path light_ = light("1.0");
     Programs programs_ = programs();
 
@@ -53,7 +54,7 @@ TEST_F(RenewPrograms, UnchangedFilesRenewNothing) {
 TEST_F(RenewPrograms, ASavedStageIsRelinkedInPlaceAfterTwoEqualReads) {
     const Program& program = programs_.with();
     const GLuint before = program;
-    folder_.write("a.frag", std::string(fragment) + "uniform float u_new;\n");
+    folder_.write("a.frag", std::string(renewed_fragment) + "uniform float u_new;\n");
     EXPECT_FALSE(knows(program, "u_new"));
     EXPECT_FALSE(renew_programs().changed) << "it may be half written";
     const ShaderNews news = renew_programs();

@@ -794,10 +794,10 @@ std::vector<Twin> all_twins() {
     return all;
 }
 
-constexpr unsigned seed = 11;
+constexpr unsigned twins_seed = 11;
 
 std::vector<GlslInput> inputs_of(const Twin& twin) {
-    Dice dice{std::mt19937(seed)};
+    Dice dice{std::mt19937(twins_seed)};
     std::vector<GlslInput> inputs(4000);
     for (GlslInput& input : inputs) input = twin.input(dice);
     return inputs;
@@ -818,12 +818,13 @@ double largest_error(const Twin& twin, const PlantedMistake& mistake) {
 
 TEST(ShaderFunction, AgreesWithItsTwin) {
     for (const Twin& twin : all_twins())
-        EXPECT_LE(largest_error(twin, {}), twin.tolerance) << twin.expression << ", seed " << seed;
+        EXPECT_LE(largest_error(twin, {}), twin.tolerance) << twin.expression << ", seed " << twins_seed;
 }
 
 TEST(ShaderFunction, DisagreesWithItsTwinAfterAPlantedMistake) {
     for (const Twin& twin : all_twins())
-        EXPECT_GT(largest_error(twin, twin.mistake), 100 * twin.tolerance) << twin.expression << ", seed " << seed;
+        EXPECT_GT(largest_error(twin, twin.mistake), 100 * twin.tolerance)
+            << twin.expression << ", seed " << twins_seed;
 }
 
 TEST(ShaderFunction, HasATwinForEveryDefinition) {
@@ -845,7 +846,7 @@ TEST(ShaderFunction, HasATwinForEveryDefinition) {
 
 // Rays at a vertex, at points on the edges around it, and at their rounded positions.
 TEST(ShaderFunction, RaysAtAFansVertexAndEdgesHitATriangle) {
-    Dice dice{std::mt19937(seed)};
+    Dice dice{std::mt19937(twins_seed)};
     std::vector<GlslInput> inputs(20000);
     for (GlslInput& in : inputs) {
         const float size = std::pow(10.0f, float(int(dice.random() % 7)) * 2 - 6);
@@ -878,7 +879,7 @@ TEST(ShaderFunction, RaysAtAFansVertexAndEdgesHitATriangle) {
 TEST(ShaderFunction, CellCornersReturnTheTexelsOfAnyCell) {
     const int columns = 8, rows = 4;
     Image image(columns, rows, 1);
-    Dice dice{std::mt19937(seed)};
+    Dice dice{std::mt19937(twins_seed)};
     for (float& value : image.values) value = dice.between(0, 1);
     const Texture map("heights", [&] { return image; });
     std::vector<GlslInput> inputs;
@@ -896,7 +897,7 @@ TEST(ShaderFunction, CellCornersReturnTheTexelsOfAnyCell) {
 }
 
 TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHit) {
-    Dice dice{std::mt19937(seed)};
+    Dice dice{std::mt19937(twins_seed)};
     Image image = make_height_map(HeightMap::stones, 64);
     const Texture map("heights", [&] { return image; });
     const HeightWindows windows = height_windows(image);
@@ -946,7 +947,7 @@ TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHitForAnyRayStartAndLength) {
         const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
         // A float resolves 6e-8 of its value: at the end of 250 tiles (64,000 texels) that is 0.004 texels.
         for (const FarRays& rays : {FarRays{1, 8, 0.01}, FarRays{512, 30, 0.02}, FarRays{4, 250, 0.1}}) {
-            Dice dice{std::mt19937(seed)};
+            Dice dice{std::mt19937(twins_seed)};
             std::vector<GlslInput> inputs;
             for (int i = 0; i < 2000; ++i) {
                 const float turn = float(i % 4) * 1.5707964f + dice.between(0, 0.2f) * dice.between(0, 1);

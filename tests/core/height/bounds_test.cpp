@@ -13,10 +13,10 @@
 namespace relief {
 namespace {
 
-constexpr unsigned seed = 5;
+constexpr unsigned bounds_seed = 5;
 
 Image noise(int width, int height) {
-    std::mt19937 random(seed);
+    std::mt19937 random(bounds_seed);
     std::uniform_real_distribution<float> value(0, 1);
     Image image(width, height, 1);
     for (float& v : image.values) v = value(random);
@@ -29,7 +29,7 @@ TEST(HeightBounds, ContainTheSurfaceOnEveryLevelOfMapsOfAnySize) {
         const Image heights = noise(width, height);
         const HeightField field(heights, true);
         const std::vector<Image> levels = min_max_mips(heights);
-        std::mt19937 random(seed);
+        std::mt19937 random(bounds_seed);
         std::uniform_real_distribution<> share(0, 1);
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec2 at(share(random), share(random));  // in the map; cells begin at texel centres

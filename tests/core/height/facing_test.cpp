@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr unsigned seed = 14;
+constexpr unsigned facing_seed = 14;
 
 /// A random patch of 3 or 4 corners with directions of displacement, and a relief of waves on it.
 class Displaced {
@@ -70,7 +70,7 @@ private:
 };
 
 TEST(Facing, NoChordRisesOrShiftsMoreThanItsBounds) {
-    std::mt19937 random(seed);
+    std::mt19937 random(facing_seed);
     double tightest = 0;
     for (int i = 0; i < 400; ++i) {
         Displaced displaced(3 + i % 2, random);
@@ -91,7 +91,7 @@ TEST(Facing, NoChordRisesOrShiftsMoreThanItsBounds) {
 }
 
 TEST(Facing, TheSphereHoldsAllCornersAndTheSpreadAllDirections) {
-    std::mt19937 random(seed);
+    std::mt19937 random(facing_seed);
     for (int i = 0; i < 400; ++i) {
         const Displaced displaced(3 + i % 2, random);
         const Facing facing = facing_of(displaced.patch(), displaced.heights(), Displaced::scale);

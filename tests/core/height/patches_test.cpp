@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-constexpr unsigned seed = 8;
+constexpr unsigned patches_seed = 8;
 constexpr double rounding = 1 / 255.0;  // how much the bounds are widened
 
 class Random {
@@ -23,10 +23,10 @@ public:
     unsigned below(unsigned end) { return unsigned(bits_()) % end; }
 
 private:
-    std::mt19937 bits_{seed};
+    std::mt19937 bits_{patches_seed};
 };
 
-Image noise(int width, int height) {
+Image patch_noise(int width, int height) {
     Random random;
     Image image(width, height, 1);
     for (float& v : image.values) v = float(random(0, 1));
@@ -44,7 +44,7 @@ Image map_of(int width, int height, const Function& h) {
 }
 
 std::vector<std::pair<std::string, Image>> maps() {
-    std::vector<std::pair<std::string, Image>> result{{"24x10", noise(24, 10)}, {"7x64", noise(7, 64)}};
+    std::vector<std::pair<std::string, Image>> result{{"24x10", patch_noise(24, 10)}, {"7x64", patch_noise(7, 64)}};
     for (const HeightMap map :
          {HeightMap::fbm, HeightMap::bricks, HeightMap::posts, HeightMap::stones, HeightMap::plateau})
         result.emplace_back(height_map_names[size_t(map)], make_height_map(map, 64));
@@ -258,7 +258,7 @@ TEST(PatchHeights, ErrorsCoverBothDiagonalsOfAQuadsCells) {
 
 TEST(PatchHeights, ErrorsAreNonIncreasing) {
     Random random;
-    const Image rough = noise(40, 24);
+    const Image rough = patch_noise(40, 24);
     for (int i = 0; i < 100; ++i) {
         const PatchHeights heights = measured(random_patch(random, 3 + i % 2), rough);
         for (size_t k = 1; k < level_octaves; ++k) {
@@ -319,7 +319,7 @@ TEST(PatchHeights, ChordsNeverExceedTwiceTheErrorAndRarelyTheErrorItself) {
 
 TEST(PatchHeights, AnEdgeHasTheSameBitsFromBothSides) {
     Random random;
-    const Image heights = noise(48, 20);
+    const Image heights = patch_noise(48, 20);
     for (int i = 0; i < 200; ++i) {
         Patch patch = random_patch(random, 3), other = random_patch(random, 4);
         const glm::vec4 uv = patch[0].edge_uv;
@@ -338,7 +338,7 @@ void expect_finite(const PatchHeights& heights) {
 }
 
 TEST(PatchHeights, ADegeneratePatchIsFinite) {
-    const Image heights = noise(16, 16);
+    const Image heights = patch_noise(16, 16);
     const Image flat = make_height_map(HeightMap::plateau, 16);
     for (const size_t corners : {3, 4}) {
         Random random;
@@ -370,7 +370,7 @@ TEST(PatchHeights, UseFewerSamplesPerPatchForManyPatches) {
 }
 
 TEST(PatchHeights, IgnoreNanHeights) {
-    Image heights = noise(16, 16);
+    Image heights = patch_noise(16, 16);
     heights.values[40] = NAN;
     const PatchHeights said = measured(square({0.2f, 0.2f}, 0.9f), heights);
     expect_finite(said);

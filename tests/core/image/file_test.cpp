@@ -54,7 +54,7 @@ std::string png_of(uint32_t width, uint32_t height, char bits, char kind, const 
 }
 
 /// Returns the error of reading a file with these bytes, without the file's name, which it must begin with.
-std::string refusal(const std::string& name, std::string_view bytes) {
+std::string file_refusal(const std::string& name, std::string_view bytes) {
     const TemporaryFolder folder;
     const fs::path file = folder.write(name, bytes);
     const std::string message = message_of([&] { read_image(file); });
@@ -63,7 +63,7 @@ std::string refusal(const std::string& name, std::string_view bytes) {
 }
 
 // Made by OpenImageIO 2.4: 5x19 floats in ZIP blocks with a note, 5x19 halves in tiles, and a grey 16x8.
-const fs::path files = fs::path(source_folder) / "tests/core/image/files";
+const fs::path sample_files = fs::path(source_folder) / "tests/core/image/files";
 
 class ImageFiles : public testing::Test {
 protected:
@@ -208,7 +208,7 @@ TEST_F(ImageFiles, AreReadByContentNotByExtension) {
     image.values = {1234.5f};
     const fs::path liar = folder_.write("a.png", encode_image(image, ImageFormat::exr));
     EXPECT_EQ(read_image(liar).values, image.values);
-    const fs::path photo = folder_.write("photo.txt", read_file(files / "grey.jpg"));
+    const fs::path photo = folder_.write("photo.txt", read_file(sample_files / "grey.jpg"));
     EXPECT_TRUE(read_image(photo).same_shape(Image(16, 8, 3)));
 }
 
@@ -231,14 +231,15 @@ TEST_F(ImageFiles, PlainExrNeedsNoOpenImageIoAndMeansTheSameToIt) {
 
 TEST_F(ImageFiles, ExrOfOtherProgramsIsReadAsOpenImageIoReadsIt) {
     Notes own, theirs;
-    const std::string plain = read_file(files / "plain.exr"), tiles = read_file(files / "tiles.exr");
+    const std::string plain = read_file(sample_files / "plain.exr"), tiles = read_file(sample_files / "tiles.exr");
     const std::optional<Image> read = decode_plain_exr(plain, own);
     ASSERT_TRUE(read);
     const auto by_library = open_own_module("relief-openimageio.so", "").function<DecodeImage>("relief_decode_image");
     EXPECT_EQ(read->values, by_library(plain, "openexr", theirs).values);
     EXPECT_EQ(own, theirs);
     EXPECT_FALSE(decode_plain_exr(tiles, own)) << "tiles of halves are left to OpenImageIO";
-    EXPECT_EQ(read_image(files / "tiles.exr").pixel(4, 18)[2], 5 / 8.0f + 18 / 4.0f - 2) << "as the file was made";
+    EXPECT_EQ(read_image(sample_files / "tiles.exr").pixel(4, 18)[2], 5 / 8.0f + 18 / 4.0f - 2)
+        << "as the file was made";
 }
 
 TEST_F(ImageFiles, AreWrittenInTheFormatOfTheirExtension) {
@@ -258,9 +259,10 @@ protected:
 };
 
 TEST_F(NoImages, AreRefusedWithTheirName) {
-    EXPECT_EQ(refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
-    EXPECT_EQ(refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
-    EXPECT_EQ(refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS") << "in letters";
+    EXPECT_EQ(file_refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
+    EXPECT_EQ(file_refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
+    EXPECT_EQ(file_refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS")
+        << "in letters";
     const TemporaryFolder folder;
     EXPECT_EQ(message_of([&] { read_image(folder.path()); }), folder.path().string() + ": cannot read: not a file");
     EXPECT_TRUE(
@@ -273,7 +275,8 @@ TEST_F(NoImages, TruncatedFilesAreDamaged) {
         const std::string bytes = encode_image(image, format);
         for (const size_t length :
              {size_t{8}, size_t{20}, size_t{33}, bytes.size() / 4, bytes.size() / 2, bytes.size() * 3 / 4})
-            EXPECT_TRUE(refusal(name, bytes.substr(0, length)).starts_with("damaged")) << name << " after " << length;
+            EXPECT_TRUE(file_refusal(name, bytes.substr(0, length)).starts_with("damaged"))
+                << name << " after " << length;
     }
 }
 
@@ -307,25 +310,25 @@ TEST_F(NoImages, AHugeHeaderIsRefusedBeforeItsPixelsAreAllocated) {
                png_chunk("IDAT", "x") + png_chunk("IEND", "");
     };
     for (const auto& [width, height] : {std::pair(100000u, 100000u), {16385u, 1u}, {1u, 16385u}, {16384u, 16384u}})
-        EXPECT_TRUE(contains(refusal("huge.png", header(width, height)), "at most 16384x16384"))
+        EXPECT_TRUE(contains(file_refusal("huge.png", header(width, height)), "at most 16384x16384"))
             << width << "x" << height;
     for (const auto& [width, height] : {std::pair(0u, 5u), {0x7fffffffu, 0x7fffffffu}})
-        EXPECT_TRUE(refusal("huge.png", header(width, height)).starts_with("damaged")) << width << "x" << height;
+        EXPECT_TRUE(file_refusal("huge.png", header(width, height)).starts_with("damaged")) << width << "x" << height;
     std::string png = header(2, 2);
     png.replace(png.find("IDAT") - 4, 4, "\x70\0\0\0"s);
-    EXPECT_TRUE(contains(refusal("chunk.png", png), "a chunk has 1879048192 bytes, more than the file"));
+    EXPECT_TRUE(contains(file_refusal("chunk.png", png), "a chunk has 1879048192 bytes, more than the file"));
     std::string exr = encode_image(Image(2, 2, 1), ImageFormat::exr);
     const std::string window("dataWindow\0box2i\0\x10\0\0\0", 21);
     ASSERT_TRUE(contains(exr, window));
     const std::string small = exr;
     exr.replace(exr.find(window) + window.size() + 8, 8, "\x9f\x86\x01\0\x9f\x86\x01\0"s);  // last column and row 99999
-    EXPECT_TRUE(contains(refusal("huge.exr", exr), "too large: only one flat image of at most 16384x16384"));
+    EXPECT_TRUE(contains(file_refusal("huge.exr", exr), "too large: only one flat image of at most 16384x16384"));
     exr = small;
     exr.replace(exr.find(window) + window.size() - 4, 4, "\xff\xff\xff\x7f"s);  // the size of the value itself
-    EXPECT_TRUE(contains(refusal("huge.exr", exr), "2147483647 bytes are no box2i"));
+    EXPECT_TRUE(contains(file_refusal("huge.exr", exr), "2147483647 bytes are no box2i"));
     exr = small;
     exr[5] = '\x10';  // the flags in the version
-    EXPECT_TRUE(contains(refusal("several.exr", exr), "deep, or several images"));
+    EXPECT_TRUE(contains(file_refusal("several.exr", exr), "deep, or several images"));
     exr = small;
     const std::string channels("channels\0chlist\0", 16);
     const size_t at = exr.find(channels) + channels.size();
@@ -334,8 +337,8 @@ TEST_F(NoImages, AHugeHeaderIsRefusedBeforeItsPixelsAreAllocated) {
     list += '\0';
     const unsigned char old_size = static_cast<unsigned char>(exr[at]);
     exr.replace(at, 4 + old_size, std::string(1, char(list.size())) + std::string(3, '\0') + list);
-    EXPECT_TRUE(contains(refusal("many.exr", exr), "more than 4 channels"));
-    EXPECT_TRUE(contains(refusal("short.exr", small.substr(0, 40)), "damaged"));
+    EXPECT_TRUE(contains(file_refusal("many.exr", exr), "more than 4 channels"));
+    EXPECT_TRUE(contains(file_refusal("short.exr", small.substr(0, 40)), "damaged"));
 }
 
 }  // namespace

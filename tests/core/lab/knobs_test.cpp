@@ -32,7 +32,7 @@ class Bare final : public Lab {
     void draw(const Frame&) override {}
 };
 
-std::string refusal(const std::string& name, const std::string& value) {
+std::string knob_refusal(const std::string& name, const std::string& value) {
     Wall wall;
     const std::string message = message_of<UsageError>([&] { set_knob(wall, name, value); });
     EXPECT_TRUE(wall.scale == 0.25f && wall.strength == 0.5f && wall.steps == 32 && wall.shadows && wall.method == 1)
@@ -92,21 +92,21 @@ TEST(Knobs, AcceptTheEndsAsShownDespiteFloatRounding) {
 
 TEST(Knobs, RefuseValuesOutOfRangeAndInvalidNumbers) {
     for (const char* value : {"-0.51", "2.01", "1e9", "nan", "inf", "-inf", "", "x", "1x", " 1", "0,5"})
-        EXPECT_EQ(refusal("scale", value), std::string("knob scale takes -0.5 to 2, not '") + value + "'");
+        EXPECT_EQ(knob_refusal("scale", value), std::string("knob scale takes -0.5 to 2, not '") + value + "'");
     for (const char* value : {"0", "257", "-1", "3.5", "1e2", "nan", "", "many", "99999999999"})
-        EXPECT_EQ(refusal("steps", value),
+        EXPECT_EQ(knob_refusal("steps", value),
                   std::string("knob steps takes whole numbers from 1 to 256, not '") + value + "'");
     for (const char* value : {"", "2", "yes", "On", "onn"})
-        EXPECT_EQ(refusal("shadows", value), std::string("knob shadows takes on or off, not '") + value + "'");
+        EXPECT_EQ(knob_refusal("shadows", value), std::string("knob shadows takes on or off, not '") + value + "'");
 }
 
 TEST(Knobs, SuggestTheNearestNameAndChoice) {
-    EXPECT_EQ(refusal("stpes", "3"),
+    EXPECT_EQ(knob_refusal("stpes", "3"),
               "unknown knob 'stpes': did you mean 'steps'? There are: scale, strength, steps, shadows, method");
-    EXPECT_EQ(refusal("method", "secnat"),
+    EXPECT_EQ(knob_refusal("method", "secnat"),
               "unknown value of knob method, 'secnat': did you mean 'secant'? There are: linear, secant, cone");
-    EXPECT_TRUE(contains(refusal("method", "2"), "linear, secant, cone")) << "a choice goes by name";
-    EXPECT_TRUE(contains(refusal("", "1"), "unknown knob ''"));
+    EXPECT_TRUE(contains(knob_refusal("method", "2"), "linear, secant, cone")) << "a choice goes by name";
+    EXPECT_TRUE(contains(knob_refusal("", "1"), "unknown knob ''"));
 }
 
 TEST(Knobs, MayBeMissing) {

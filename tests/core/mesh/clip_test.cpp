@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr unsigned seed = 17;
+constexpr unsigned clip_seed = 17;
 
 /// Returns how far a point is inside a convex, counter-clockwise polygon, in areas; below 0 outside.
 double inside(const std::vector<ClipCorner>& polygon, const glm::dvec2& point) {
@@ -22,7 +22,7 @@ double inside(const std::vector<ClipCorner>& polygon, const glm::dvec2& point) {
 }
 
 TEST(Clipped, HoldsExactlyTheVisiblePointsOfASquare) {
-    std::mt19937 random(seed);
+    std::mt19937 random(clip_seed);
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
     constexpr double rounding = 1e-9;  // points this near a border count on either side
     int seen = 0, hidden = 0;

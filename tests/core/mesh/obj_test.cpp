@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-const std::string square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
+const std::string unit_square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
 
 /// Returns the positions of the triangles, corner by corner.
 std::vector<glm::vec3> corners(const ObjModel& model) {
@@ -21,15 +21,15 @@ std::vector<glm::vec3> corners(const ObjModel& model) {
 }
 
 TEST(Obj, AQuadIsTwoTrianglesWithItsWinding) {
-    const ObjModel model = parse_obj(square + "f 1 2 3 4\n");
+    const ObjModel model = parse_obj(unit_square + "f 1 2 3 4\n");
     EXPECT_EQ(corners(model),
               (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
-    EXPECT_EQ(parse_obj(square + "f 4 3 2 1\n").mesh.vertices[0].normal, glm::vec3(0, 0, -1));
+    EXPECT_EQ(parse_obj(unit_square + "f 4 3 2 1\n").mesh.vertices[0].normal, glm::vec3(0, 0, -1));
     EXPECT_TRUE(model.notes.empty());
 }
 
 TEST(Obj, CornerIndicesAreReadAsPositionUvAndNormal) {
-    const std::string data = square + "vt 0.25 0.5\nvt 1 1\nvn 0 0 2\nvn 0 -3 0\n";
+    const std::string data = unit_square + "vt 0.25 0.5\nvt 1 1\nvn 0 0 2\nvn 0 -3 0\n";
     const ObjModel all = parse_obj(data + "f 1/2/1 2/1/2 3/2/2\n");
     EXPECT_EQ(all.mesh.vertices[0].uv, glm::vec2(1, 1));
     EXPECT_EQ(all.mesh.vertices[1].uv, glm::vec2(0.25, 0.5));
@@ -48,17 +48,17 @@ TEST(Obj, CornerIndicesAreReadAsPositionUvAndNormal) {
 }
 
 TEST(Obj, NegativeIndicesCountBackFromTheLastSoFar) {
-    const ObjModel model = parse_obj("v 9 9 9\n" + square + "vt 0 0\nvt 1 0\nvn 0 0 1\nf -4/-2/-1 -3/-1/-1 -2/2/1\n" +
-                                     "v 7 7 7\nf -1 -2 -3\n");
+    const ObjModel model = parse_obj(
+        "v 9 9 9\n" + unit_square + "vt 0 0\nvt 1 0\nvn 0 0 1\nf -4/-2/-1 -3/-1/-1 -2/2/1\n" + "v 7 7 7\nf -1 -2 -3\n");
     EXPECT_EQ(corners(model),
               (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {7, 7, 7}, {0, 1, 0}, {2, 1, 0}}));
     EXPECT_EQ(model.mesh.vertices[1].uv, glm::vec2(1, 0));
 }
 
-TEST(Obj, AFaceMayPrecedeItsVertices) { EXPECT_EQ(parse_obj("f 1 2 3\n" + square).mesh.indices.size(), 3u); }
+TEST(Obj, AFaceMayPrecedeItsVertices) { EXPECT_EQ(parse_obj("f 1 2 3\n" + unit_square).mesh.indices.size(), 3u); }
 
 TEST(Obj, OnlyEqualIndicesShareAVertex) {
-    const std::string data = square + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n";
+    const std::string data = unit_square + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n";
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n").mesh.vertices.size(), 4u);
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\n").mesh.vertices.size(), 5u);
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/1 4/1/1\n").mesh.vertices.size(), 5u);
@@ -67,7 +67,7 @@ TEST(Obj, OnlyEqualIndicesShareAVertex) {
 
 TEST(Obj, AcceptsAnyLineEndingAndBackslashContinuation) {
     const std::string text = "# a square\nv 0 0 0 # the origin\n\n  v\t2  0 0  \nv 2 \\\n 1 \\\n0\nv 0 1 0\nf 1 2 3 4";
-    const ObjModel expected = parse_obj(square + "f 1 2 3 4\n");
+    const ObjModel expected = parse_obj(unit_square + "f 1 2 3 4\n");
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         std::string ended = "\xef\xbb\xbf";  // a byte order mark
         for (const char c : text) c == '\n' ? ended += end : ended += c;
@@ -75,7 +75,7 @@ TEST(Obj, AcceptsAnyLineEndingAndBackslashContinuation) {
         EXPECT_NE(message_of([&] { parse_obj(ended + end + "f 1 2 x"); }).find("model.obj:10: "), std::string::npos)
             << "lines are counted as an editor does";
     }
-    EXPECT_EQ(corners(parse_obj("# C:\\models\\\n" + square + "f 1 2 3 4\n")), corners(expected))
+    EXPECT_EQ(corners(parse_obj("# C:\\models\\\n" + unit_square + "f 1 2 3 4\n")), corners(expected))
         << "a comment does not go on";
 }
 
@@ -134,12 +134,12 @@ TEST(ObjNormals, AreAngleWeightedAndIndependentOfTheTriangulation) {
 }
 
 TEST(ObjNormals, OnATwoSidedSheetAreTheFaceNormals) {
-    for (const Vertex& vertex : parse_obj(square + "f 1 2 3 4\nf 4 3 2 1\n").mesh.vertices)
+    for (const Vertex& vertex : parse_obj(unit_square + "f 1 2 3 4\nf 4 3 2 1\n").mesh.vertices)
         EXPECT_EQ(std::abs(vertex.normal.z), 1);
 }
 
 TEST(ObjNormals, ZeroNormalsAreRecomputedFromTheFaces) {
-    const ObjModel model = parse_obj(square + "vn 0 0 0\nf 1//1 2//1 3//1\n");
+    const ObjModel model = parse_obj(unit_square + "vn 0 0 0\nf 1//1 2//1 3//1\n");
     EXPECT_EQ(model.mesh.vertices[0].normal, glm::vec3(0, 0, 1));
     EXPECT_FALSE(model.has_normals);
     EXPECT_EQ(model.notes.at(0), "model.obj:6: a normal of length 0; one is made from the faces");
@@ -147,12 +147,12 @@ TEST(ObjNormals, ZeroNormalsAreRecomputedFromTheFaces) {
 
 TEST(ObjNormals, PointAlongZOnDegenerateFaces) {
     for (const char* face : {"f 1 1 1\n", "f 1 2 1\n", "s off\nf 1 2 1 2 1\n"})
-        for (const Vertex& vertex : parse_obj(square + face).mesh.vertices)
+        for (const Vertex& vertex : parse_obj(unit_square + face).mesh.vertices)
             EXPECT_EQ(vertex.normal, glm::vec3(0, 0, 1)) << face;
 }
 
 TEST(ObjNormals, AreRecomputedOnRequest) {
-    const std::string text = square + "vn 1 0 0\nf 1//1 2//1 3//1\n";
+    const std::string text = unit_square + "vn 1 0 0\nf 1//1 2//1 3//1\n";
     EXPECT_EQ(parse_obj(text).mesh.vertices[0].normal, glm::vec3(1, 0, 0));
     const ObjModel made = parse_obj(text, {}, "m.obj", {}, {.recompute_normals = true});
     EXPECT_EQ(made.mesh.vertices[0].normal, glm::vec3(0, 0, 1));
@@ -182,14 +182,14 @@ TEST(Obj, InitialTangentsAreUnitAndPerpendicular) {
 }
 
 TEST(Obj, AnUnreadStatementIsNotedOnce) {
-    const ObjModel model = parse_obj(square + "g a b\no c\nl 1 2\nl 2 3\ns wild\nf 1 2 3\n");
+    const ObjModel model = parse_obj(unit_square + "g a b\no c\nl 1 2\nl 2 3\ns wild\nf 1 2 3\n");
     ASSERT_EQ(model.notes.size(), 2u);
     EXPECT_EQ(model.notes[0], "model.obj:7: 'l' is not read");
     EXPECT_EQ(model.notes[1], "model.obj:9: 's wild' is not a smoothing group; taken as off");
 }
 
 TEST(Obj, KeepsTheFirstTwentyNotes) {
-    std::string text = square + "f 1 2 3\n";
+    std::string text = unit_square + "f 1 2 3\n";
     for (int i = 0; i < 30; ++i) text += "s x\n";
     EXPECT_EQ(parse_obj(text).notes.size(), 20u);
 }
@@ -199,11 +199,12 @@ std::string error_of(const std::string& text, const ObjLimits& limits = {}) {
 }
 
 TEST(ObjErrors, NameTheFileAndTheLine) {
-    EXPECT_EQ(error_of(square + "f 1 2 5\n"), "a/b.obj:5: index 5 is out of range: the file has 4 'v'");
-    EXPECT_EQ(error_of(square + "f 1 2 -5\n"), "a/b.obj:5: index -5 is out of range: 4 'v' so far");
-    EXPECT_EQ(error_of(square + "vt 0 0\nf 1/1 2/2 3/1\n"), "a/b.obj:6: index 2 is out of range: the file has 1 'vt'");
-    EXPECT_EQ(error_of(square + "f 1//1 2//1 3//1\n"), "a/b.obj:5: index 1 is out of range: the file has 0 'vn'");
-    EXPECT_EQ(error_of(square + "\n# \n\nf 1 2\n"), "a/b.obj:8: a face of 2 corners; it takes 3 at least");
+    EXPECT_EQ(error_of(unit_square + "f 1 2 5\n"), "a/b.obj:5: index 5 is out of range: the file has 4 'v'");
+    EXPECT_EQ(error_of(unit_square + "f 1 2 -5\n"), "a/b.obj:5: index -5 is out of range: 4 'v' so far");
+    EXPECT_EQ(error_of(unit_square + "vt 0 0\nf 1/1 2/2 3/1\n"),
+              "a/b.obj:6: index 2 is out of range: the file has 1 'vt'");
+    EXPECT_EQ(error_of(unit_square + "f 1//1 2//1 3//1\n"), "a/b.obj:5: index 1 is out of range: the file has 0 'vn'");
+    EXPECT_EQ(error_of(unit_square + "\n# \n\nf 1 2\n"), "a/b.obj:8: a face of 2 corners; it takes 3 at least");
     EXPECT_EQ(error_of("v 0 zero 0\n"), "a/b.obj:1: 'zero' is not a finite number");
     EXPECT_EQ(error_of("v 1 2\n"), "a/b.obj:1: 'v' takes 3 numbers, here are 2");
     EXPECT_EQ(error_of("v\n"), "a/b.obj:1: 'v' takes 3 numbers, here are 0");
@@ -212,7 +213,7 @@ TEST(ObjErrors, NameTheFileAndTheLine) {
                   std::string("a/b.obj:2: '") + number + "' is not a finite number");
     EXPECT_EQ(error_of("v 0 0e999 0\n"), "a/b.obj:1: a number has an exponent out of range");
     EXPECT_EQ(error_of(""), "a/b.obj: has no faces");
-    EXPECT_EQ(error_of(square), "a/b.obj: has no faces");
+    EXPECT_EQ(error_of(unit_square), "a/b.obj: has no faces");
 }
 
 TEST(ObjErrors, AContinuedStatementIsReportedAtItsFirstLine) {
@@ -223,13 +224,14 @@ TEST(ObjErrors, AContinuedStatementIsReportedAtItsFirstLine) {
 TEST(ObjErrors, ReportInvalidCorners) {
     for (const char* corner : {"0", "1.5", "x", "1/x", "1//x", "1/0", "/1", "1/1/1/1", "99999999999999999999",
                                "1/99999999999999999999", "-2147483649"})
-        EXPECT_TRUE(contains(error_of(square + "vt 0 0\nvn 0 0 1\nf 1 2 " + corner + "\n"),
+        EXPECT_TRUE(contains(error_of(unit_square + "vt 0 0\nvn 0 0 1\nf 1 2 " + corner + "\n"),
                              std::string("a/b.obj:7: '") + corner + "' is not a corner of a face"))
             << corner;
-    EXPECT_EQ(error_of(square + "f 1 2 2147483647\n"),
+    EXPECT_EQ(error_of(unit_square + "f 1 2 2147483647\n"),
               "a/b.obj:5: index 2147483647 is out of range: the file has 4 'v'");
-    EXPECT_TRUE(contains(error_of(square + "f 1 2 -2147483648\n"), "a/b.obj:5: index -2147483648 is out of range"));
-    EXPECT_EQ(parse_obj(square + "f 1/ 2// 3//\n").mesh.indices.size(), 3u) << "empty parts are none";
+    EXPECT_TRUE(
+        contains(error_of(unit_square + "f 1 2 -2147483648\n"), "a/b.obj:5: index -2147483648 is out of range"));
+    EXPECT_EQ(parse_obj(unit_square + "f 1/ 2// 3//\n").mesh.indices.size(), 3u) << "empty parts are none";
 }
 
 TEST(ObjErrors, ReportJunkInPrintableForm) {
@@ -242,15 +244,16 @@ TEST(ObjErrors, ReportJunkInPrintableForm) {
 }
 
 TEST(ObjErrors, ReportExceededLimits) {
-    EXPECT_EQ(error_of(square + "f 1 2 3\nf 1 2 3\n", {.corners = 5}), "a/b.obj:6: the faces have more than 5 corners");
-    EXPECT_EQ(error_of(square + "f 1 2 3\n", {.bytes = 10}), "a/b.obj: 40 bytes, the limit is 10");
+    EXPECT_EQ(error_of(unit_square + "f 1 2 3\nf 1 2 3\n", {.corners = 5}),
+              "a/b.obj:6: the faces have more than 5 corners");
+    EXPECT_EQ(error_of(unit_square + "f 1 2 3\n", {.bytes = 10}), "a/b.obj: 40 bytes, the limit is 10");
     std::string face = "f";
     for (int i = 0; i < 1025; ++i) face += " 1";
-    EXPECT_EQ(error_of(square + face), "a/b.obj:5: a face of more than 1024 corners");
+    EXPECT_EQ(error_of(unit_square + face), "a/b.obj:5: a face of more than 1024 corners");
     face.resize(face.size() - 2);
-    EXPECT_EQ(parse_obj(square + face).mesh.indices.size(), 3u * 1022);
+    EXPECT_EQ(parse_obj(unit_square + face).mesh.indices.size(), 3u * 1022);
     const TemporaryFolder folder;
-    const auto file = folder.write("large.obj", square + "f 1 2 3\n");
+    const auto file = folder.write("large.obj", unit_square + "f 1 2 3\n");
     EXPECT_TRUE(contains(message_of([&] { read_obj(file, {.bytes = 10}); }), "the limit is 10"));
 }
 

@@ -14,7 +14,7 @@
 namespace relief::app {
 namespace {
 
-int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
+int lines_of(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 class BenchCommand : public testing::Test {
 protected:
@@ -33,7 +33,7 @@ TEST_F(BenchCommand, BenchWritesATableACsvAPlotAndAPage) {
     const auto folder = course().path() / "measured";
     const std::string csv = read_all(folder / "storage.csv");
     EXPECT_TRUE(csv.starts_with("topic,scene,method,")) << csv;
-    EXPECT_EQ(lines(csv), 1 + 34) << "a header, encoding and decoding of 13 formats and of what is usual, 6 maps";
+    EXPECT_EQ(lines_of(csv), 1 + 34) << "a header, encoding and decoding of 13 formats and of what is usual, 6 maps";
     EXPECT_TRUE(contains(read_all(folder / "storage.svg"), "</svg>"));
     EXPECT_TRUE(contains(read_all(folder / "index.html"), "</html>"));
 }
@@ -42,7 +42,7 @@ TEST_F(BenchCommand, MeasuresOnlyTheRequestedKnobValues) {
     const Result result = course().relief(
         {"bench", "storage", "--quick", "--repeats", "1", "-o", "part", "--set", "do=decode", "--set", "bits=16,48"});
     EXPECT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(lines(read_all(course().path() / "part" / "storage.csv")), 1 + 4);
+    EXPECT_EQ(lines_of(read_all(course().path() / "part" / "storage.csv")), 1 + 4);
 }
 
 TEST_F(BenchCommand, ASweepHasASentenceForEachMethodACurveAndNoTime) {
@@ -64,7 +64,7 @@ TEST_F(BenchCommand, SuggestsTheNearestValidArgument) {
         arguments.insert(arguments.begin(), "bench");
         const Result result = course().relief(arguments);
         EXPECT_EQ(result.code, 2) << result.err;
-        EXPECT_EQ(lines(result.err), 1) << result.err;
+        EXPECT_EQ(lines_of(result.err), 1) << result.err;
         return result.err;
     };
     EXPECT_TRUE(contains(said({"tangent"}), "did you mean 'tangents'"));
@@ -244,10 +244,6 @@ struct CrowdedPage {
     }
 };
 
-Browser& browser() {
-    static Browser one;
-    return one;
-}
 std::string words() { return browser().eval("document.querySelector('#look p').textContent"); }
 const char* const is_shown = "!document.getElementById('look').hidden";
 

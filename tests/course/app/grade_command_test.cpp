@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* shader = "shaders/02_normal_map_storage/task.glsl";
+constexpr const char* shader = "shaders/01_specular_highlights/task.glsl";
 
 class GradeCommand : public testing::Test {
 protected:
@@ -62,7 +62,7 @@ protected:
         const json roster = json::parse(read_file(marks_ / "class.json"));
         grade::SubmissionMark mark;
         mark.name = name, mark.course = roster["course"], mark.isolation = "namespaces";
-        mark.labs.push_back({.lab = "02_normal_map_storage", .tasks = {}, .log = {}, .times = {}});
+        mark.labs.push_back({.lab = "01_specular_highlights", .tasks = {}, .log = {}, .times = {}});
         for (const json& one : roster["submissions"])
             if (one["name"] == name) mark.hash = one["hash"];
         write_file(grade::result_file(marks_, name), grade::to_json(mark));

@@ -66,12 +66,12 @@ TEST_F(InspectCommand, ScriptsReadJson) {
     write("down.png", stones(8, true));
     const Result result = inspect({"down.png", "--json"});
     EXPECT_EQ(result.code, 1);
-    const auto json = nlohmann::json::parse(result.out);
-    EXPECT_EQ(json["file"], "down.png");
-    EXPECT_EQ(json["width"], 128);
-    EXPECT_EQ(json["bits"], 8);
-    EXPECT_EQ(json["faults"], 1);
-    for (const auto& finding : json["findings"])
+    const auto said = nlohmann::json::parse(result.out);
+    EXPECT_EQ(said["file"], "down.png");
+    EXPECT_EQ(said["width"], 128);
+    EXPECT_EQ(said["bits"], 8);
+    EXPECT_EQ(said["faults"], 1);
+    for (const auto& finding : said["findings"])
         if (finding["name"] == "green") {
             EXPECT_EQ(finding["outcome"], "fault");
             EXPECT_EQ(finding["verdict"], "down");

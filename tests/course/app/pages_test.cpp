@@ -21,11 +21,6 @@ using Names = std::vector<std::string>;
 constexpr const char* lab_02 = "02_normal_map_storage";
 constexpr const char* lab_05 = "05_tangent_basis";
 
-Browser& browser() {
-    static Browser one;
-    return one;
-}
-
 grade::TaskMark task(const std::string& id, int of, const std::vector<check::Outcome>& outcomes,
                      const std::string& mistake = "") {
     grade::TaskMark mark{

@@ -312,6 +312,52 @@ TEST_F(Script, CiRunsOnlyTheMainTestsIfTheDailyOnesHavePassed) {
     EXPECT_TRUE(contains(calls(), "-R handout\n")) << "among all tests";
 }
 
+// A sample that misses what a change touches guards nothing; one that changes between two runs helps nobody to look.
+TEST_F(Script, CiChoosesSevenLabsByTheCommitAndThoseThatItTouchesFirst) {
+    const auto chosen = [&](const std::map<std::string, std::string>& variables = {}) {
+        std::map<std::string, std::string> all = {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}};
+        all.insert(variables.begin(), variables.end());
+        const Result result = run({"bash", folder_.path() / "relief", "test", "--ci"}, {"/", all});
+        const std::string labs = read_all(folder_.path() / "labs-of-ctest");
+        EXPECT_TRUE(contains(result.err, "look at labs " + labs.substr(0, 20) + "; at all of them with --all\n"))
+            << result.err;
+        return labs.substr(0, 20);
+    };
+    const auto git = [&](const std::string& words) {
+        const std::string command = "git -c user.name=x -c user.email=x@x.org -c init.defaultBranch=main " + words;
+        EXPECT_EQ(run({"bash", "-c", "cd '" + folder_.path().string() + "'; " + command}).code, 0) << words;
+    };
+    stand_in("ctest", "echo \"$RELIEF_TEST_LABS\" >labs-of-ctest");
+    for (int lab = 10; lab < 30; ++lab)
+        for (const char* folder : {"labs/", "shaders/"})
+            folder_.write(folder + std::to_string(lab) + "_lab_" + std::to_string(lab) + "/file", "text");
+    folder_.write(".gitignore", "build\ncalls\nlabs-of-ctest\ntools\n");
+    EXPECT_EQ(chosen().size(), 20u) << "seven numbers, without a repository";
+    git("init -q; git add -A; git -c user.name=x -c user.email=x@x.org commit -q -m 1");
+    const std::string first = chosen();
+    EXPECT_EQ(chosen(), first);
+    std::set<std::string> samples = {first};
+    for (int i = 0; i < 4; ++i) {
+        git("commit -q --allow-empty -m more");
+        samples.insert(chosen());
+    }
+    EXPECT_GE(samples.size(), 4u) << "one of a hundred thousand samples twice";
+    for (int lab = 10; lab < 30; ++lab) {
+        const std::string number = std::to_string(lab);
+        if (contains(chosen(), number)) continue;
+        const auto file = folder_.write("shaders/" + number + "_lab_" + number + "/file", "an edit");
+        EXPECT_TRUE(contains(chosen(), number)) << chosen();
+        folder_.write("shaders/" + number + "_lab_" + number + "/file", "text");
+        folder_.write("tests/labs/lab_" + number + "_test.cpp", "a new file");
+        EXPECT_TRUE(contains(chosen(), number)) << chosen();
+        git("add -A; git -c user.name=x -c user.email=x@x.org commit -q -m touches");
+        EXPECT_TRUE(contains(chosen(), number)) << "the last commit";
+        for (int i = 0; i < 3; ++i) git("commit -q --allow-empty -m more");
+        EXPECT_TRUE(contains(chosen({{"RELIEF_TEST_SINCE", "HEAD~4"}}), number)) << "all since a push";
+        break;
+    }
+}
+
 TEST_F(Script, WithoutRootOrSudoPrintsTheInstallCommandAndStops) {
     installed("libglm-dev");
     stand_in("id", "echo 1000");

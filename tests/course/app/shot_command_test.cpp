@@ -157,8 +157,8 @@ TEST_F(ShotCommand, AMistakeInCppIsCompiledForThePicture) {
         return run(more, {folder_.path(), {}});
     };
     ASSERT_EQ(draw("right.pfm", {}).code, 0);
-    const Result wrong = draw("wrong.pfm", {"--mistake", "tangent-for-bitangent"});
-    ASSERT_EQ(wrong.code, 0) << wrong.err;
+    const Result mistaken = draw("wrong.pfm", {"--mistake", "tangent-for-bitangent"});
+    ASSERT_EQ(mistaken.code, 0) << mistaken.err;
     EXPECT_NE(read_all(file("right.pfm")), read_all(file("wrong.pfm")));
 }
 

@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using Names = std::vector<std::string>;
 
-Browser& browser() {
-    static Browser one;
-    return one;
-}
-
 constexpr const char* lab_10 = "10_parallax_offset";
 
 /// One copy of the course and one site for all tests, made without a display. It has a deck of lab 01 and a page of

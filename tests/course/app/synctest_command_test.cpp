@@ -24,11 +24,11 @@ TEST_F(SynctestCommand, WritesAFolderWhoseExpectedPictureIsFlat) {
     EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
     EXPECT_TRUE(contains(judged.out, "expected.png: flat, 0.318 degrees on average")) << judged.out;
     EXPECT_TRUE(contains(judged.out, "\nframe: as interpolated, in sync with the map\n")) << judged.out;
-    const auto json = nlohmann::json::parse(relief({"synctest", "--judge", "cube/expected.png", "--json"}).out);
-    EXPECT_EQ(json["frame"], "as interpolated");
-    EXPECT_TRUE(json["in_sync"] && json["flat"]);
-    EXPECT_NEAR(json["degrees"]["mean"].get<double>(), 0.318, 0.001);
-    EXPECT_GT(json["likenesses"].size(), 10u);
+    const auto said = nlohmann::json::parse(relief({"synctest", "--judge", "cube/expected.png", "--json"}).out);
+    EXPECT_EQ(said["frame"], "as interpolated");
+    EXPECT_TRUE(said["in_sync"] && said["flat"]);
+    EXPECT_NEAR(said["degrees"]["mean"].get<double>(), 0.318, 0.001);
+    EXPECT_GT(said["likenesses"].size(), 10u);
 }
 
 TEST_F(SynctestCommand, NamesTheFramesOfLab07) {

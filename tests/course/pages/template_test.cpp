@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string hostile = "<script>&\"'";
+const std::string markup = "<script>&\"'";
 
 std::string rendered(const std::string& text, const Fields& values) {
     const TemporaryFolder folder;
@@ -24,7 +24,7 @@ std::string rendered(const std::string& text, const Fields& values) {
 }
 
 TEST(Template, AValueIsEscapedBetweenTagsAndInAttributes) {
-    EXPECT_EQ(rendered("<a title=\"{{x}}\">{{x}}</a>", {{"x", hostile}}),
+    EXPECT_EQ(rendered("<a title=\"{{x}}\">{{x}}</a>", {{"x", markup}}),
               "<a title=\"&lt;script&gt;&amp;&quot;&#39;\">&lt;script&gt;&amp;&quot;&#39;</a>");
     EXPECT_EQ(rendered("{{#x}}{{> with_code}}{{/x}}", {{"x", with_code("a `<b>` & `c")}}),
               "a <code>&lt;b&gt;</code> &amp; c");
@@ -108,11 +108,11 @@ TEST(Templates, ValuesAreEscapedEverywhere) {
         for (const std::string& tag : tags_of(text))
             if (tag[0] == '^') optional.insert(tag.substr(1));
     const std::regex raw("<script>&|&\"|\"'");
-    ASSERT_TRUE(std::regex_search(hostile, raw));
+    ASSERT_TRUE(std::regex_search(markup, raw));
     int escaped = 0;
     for (const auto& [name, text] : templates())
         for (const std::set<std::string>& none : {std::set<std::string>{}, optional}) {
-            Fields values = for_all(hostile, none);
+            Fields values = for_all(markup, none);
             for (const auto& [file, ours] : not_escaped) {
                 if (!ours.starts_with("page."))
                     values[ours] = "ours";  // also if another template includes that file
@@ -120,7 +120,7 @@ TEST(Templates, ValuesAreEscapedEverywhere) {
                     values["page"].fields[ours.substr(5)] = "ours";
             }
             const std::string page = render(name, values);
-            EXPECT_EQ(page.find(hostile), std::string::npos) << name << "\n" << page;
+            EXPECT_EQ(page.find(markup), std::string::npos) << name << "\n" << page;
             escaped += page.find("&lt;script&gt;&amp;&quot;&#39;") != std::string::npos;
         }
     EXPECT_GT(escaped, 30) << "the claim is empty when nothing is shown";

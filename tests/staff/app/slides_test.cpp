@@ -78,11 +78,6 @@ constexpr const char* find_problems = R"js((async () => {
   return found;
 })())js";
 
-Browser& browser() {
-    static Browser one;
-    return one;
-}
-
 Names problems_of(const fs::path& page) {
     browser().open(page);
     const nlohmann::json answer = browser().call(

@@ -8,6 +8,7 @@
 #include "framework/core/mesh/parallelogram.h"
 #include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/tangents.h"
+#include "tests/staff/reference/degrees.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -26,10 +27,6 @@ std::optional<glm::dvec3> place_of(const Mesh& mesh, glm::dvec2 uv) {
                glm::dvec3(c.position) * at.y;
     }
     return {};
-}
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
 glm::dvec3 vector_at(const Image& map, int x, int y) {

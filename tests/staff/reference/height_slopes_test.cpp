@@ -12,6 +12,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/image/color.h"
+#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 
@@ -28,10 +29,6 @@ namespace {
 
 using F = SlopeFilter;
 constexpr F filters[] = {F::forward, F::central, F::sobel, F::scharr, F::fourth_order, F::spline};
-
-double degrees_between(glm::dvec3 a, glm::dvec3 b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 template <class Height>
 Image heights(int width, int height, Height at) {
@@ -130,8 +127,8 @@ TEST(NormalsFromHeights, OfALargeMapMatchTheDefinitionInSampledRows) {
 }
 
 TEST(NormalsFromHeights, StayUnitForAnyHeights) {
-    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-    for (const double odd : {nan, infinity, -infinity, 1e38, -1e38, 1e-40, -0.0})
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    for (const double odd : {nan, inf, -inf, 1e38, -1e38, 1e-40, -0.0})
         for (const F filter : filters) {
             if (filter == F::spline && !std::isfinite(odd)) continue;  // tested below
             Image map = random_heights(25, 24, 6);

@@ -8,13 +8,10 @@
 #include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/tangents.h"
 #include "tests/core/mesh/test_meshes.h"
+#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 namespace {
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 void expect_tangent(const glm::dvec4& tangent, const glm::dvec3& along, double handedness) {
     EXPECT_LT(degrees_between(glm::dvec3(tangent), along), 1e-6) << tangent.x << " " << tangent.y << " " << tangent.z;

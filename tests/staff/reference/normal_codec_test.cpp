@@ -11,6 +11,7 @@
 
 #include "framework/core/base/parallel.h"
 #include "framework/staff/reference/half.h"
+#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 
@@ -20,9 +21,6 @@ namespace {
 
 using F = NormalFormat;
 
-double degrees_between(glm::dvec3 a, glm::dvec3 b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 double round_trip(F encoder, F decoder, glm::dvec3 normal) {
     return degrees_between(decode_normal(decoder, encode_normal(encoder, normal)), normal);
 }

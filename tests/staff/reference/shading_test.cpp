@@ -8,13 +8,10 @@
 #include "framework/staff/reference/normal_map.h"
 #include "framework/staff/reference/tangent_space.h"
 #include "framework/staff/reference/tessellation.h"
+#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 namespace {
-
-double degrees_between(glm::dvec3 a, glm::dvec3 b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 TEST(Displaced, AtFullHeightOrWithoutScaleEqualsTheBase) {
     const SurfacePoint base = point_on(SphereShape{}, {0.3, 0.6});

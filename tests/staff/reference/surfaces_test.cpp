@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-const QuadShape quad{.width = 3, .height = 0.5f};
+const QuadShape flat_quad{.width = 3, .height = 0.5f};
 const ColumnShape column{.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f};
 const ColumnShape cone{.bottom_radius = 1, .top_radius = 0, .height = 2};
 const ColumnShape pipe{.bottom_radius = 0.7f, .top_radius = 0.7f, .height = 1};
@@ -17,7 +17,7 @@ const SphereShape sphere{.radius = 1.3f};
 
 template <class Test>
 void for_each_shape(Test test) {
-    test(quad, "quad"), test(column, "column"), test(cone, "cone"), test(pipe, "pipe"), test(sphere, "sphere");
+    test(flat_quad, "quad"), test(column, "column"), test(cone, "cone"), test(pipe, "pipe"), test(sphere, "sphere");
 }
 
 double distance(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b); }
@@ -55,7 +55,7 @@ TEST(Surfaces, MatchTheirMeshes) {
             }
         }
     };
-    compare(make_quad(quad), quad, "quad");
+    compare(make_quad(flat_quad), flat_quad, "quad");
     compare(make_column(column), column, "column");
     compare(make_sphere(sphere), sphere, "sphere");
 }
@@ -88,7 +88,7 @@ TEST(Surfaces, AreMissedByRaysBesideAndBehind) {
         EXPECT_FALSE(first_hit(shape, Ray{{0, 0.2, 9}, {0, 0, 0}})) << name << ", a ray that stands still";
         EXPECT_FALSE(first_hit(shape, Ray{{NAN, 0, 9}, {0, 0, -1}})) << name;
     });
-    EXPECT_FALSE(first_hit(quad, Ray{{0, 0, 1}, {1, 0, 0}})) << "along the plane";
+    EXPECT_FALSE(first_hit(flat_quad, Ray{{0, 0, 1}, {1, 0, 0}})) << "along the plane";
     EXPECT_FALSE(first_hit(column, Ray{{0, 5, 0}, {0, -1, 0}})) << "down through the open column";
     EXPECT_FALSE(first_hit(cone, Ray{{0.3, 3, 3}, {0, 0, -1}})) << "the other half of the double cone";
 }

@@ -12,6 +12,7 @@
 #include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/tangent_faces.h"
 #include "tests/core/mesh/test_meshes.h"
+#include "tests/staff/reference/degrees.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -24,10 +25,6 @@ namespace {
 
 using M = TangentMethod;
 constexpr M methods[] = {M::per_face, M::uniform, M::area, M::angle, M::mikktspace};
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 Mesh triangle() {
     return {{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0, 1}, {0, 1})}, {0, 1, 2}};
