@@ -285,68 +285,141 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
     EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
 }
 
-TEST(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
-    const TemporaryFolder folder;
-    const std::string lab = "02_normal_map_storage";
-    const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});
-    ASSERT_EQ(made.code, 0) << made.err;
-    const Manifest manifest = load_manifest(fs::path(source_folder) / "labs" / lab / "lab.toml");
-    browser().open(folder.path() / "index.html");
+/// The page of lab 02's mistakes.
+class MistakesPage : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder_ = std::make_unique<TemporaryFolder>();
+        made_ = run({relief_program(), "mistakes", "2", "-o", folder_->path().string()});
+    }
+    static void TearDownTestSuite() { folder_.reset(); }
+    void SetUp() override {
+        ASSERT_EQ(made_.code, 0) << made_.err;
+        for (const MistakeInfo& mistake :
+             load_manifest(fs::path(source_folder) / "labs/02_normal_map_storage/lab.toml").mistakes)
+            ids_.push_back(mistake.id);
+        std::sort(ids_.begin(), ids_.end());
+        open();
+    }
+    static void open(const std::string& place = "") {
+        browser().open_address("about:blank");  // a change of the place alone loads nothing
+        browser().open_address("file://" + (folder_->path() / "index.html").string() + place);
+    }
+    static Names texts(const std::string& selector) {
+        Names found = browser().eval("[...document.querySelectorAll(" + json(selector).dump() +
+                                     ")].filter(one => one.checkVisibility()).map(one => one.textContent)");
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    Names ids_;
+
+private:
+    static inline std::unique_ptr<TemporaryFolder> folder_;
+    static inline Result made_;
+};
+
+TEST_F(MistakesPage, StartsWithAPictureOfEachMistakeAndLoadsThoseInView) {
+    EXPECT_EQ(texts(".index a span"), ids_);
+    EXPECT_EQ(texts("article h2 code"), Names{});
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.index img').length"), json(ids_.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('img:not([loading=lazy])').length"), 0);
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('.difference img')].filter(one => one.complete).length"), 0)
+        << "nothing shows them";
+    EXPECT_LT(int(browser().eval("document.documentElement.scrollHeight")), 2500);
+}
+
+TEST_F(MistakesPage, ShowsOneMistakeAScreen) {
+    browser().call("Emulation.setDeviceMetricsOverride",
+                   {{"width", 1440}, {"height", 900}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    for (const std::string& id : ids_) {
+        open("#02-" + id);
+        EXPECT_EQ(texts("article h2 code"), Names{id});
+        EXPECT_EQ(texts(".index a span"), Names{});
+        EXPECT_LE(int(browser().eval("document.documentElement.scrollHeight")), 900) << id;
+    }
+    browser().width(0);
+}
+
+TEST_F(MistakesPage, LinksAndArrowsGoToTheNeighbours) {
+    open("#02-times-256");
+    EXPECT_EQ(texts("article [rel]"), (Names{"Next →", "← Previous"}));
+    browser().press("ArrowRight");
+    EXPECT_EQ(texts("article h2 code"), Names{"decoded-without-shift"});
+    ASSERT_TRUE(browser().tab_to("article:target .wipe input"));
+    browser().press("ArrowRight");
+    EXPECT_EQ(texts("article h2 code"), Names{"decoded-without-shift"}) << "the wipe keeps its keys";
+    EXPECT_EQ(browser().eval("document.activeElement.value"), "1");
+    browser().press("End");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
+    open("#02-decoded-without-shift");
+    browser().press("ArrowLeft", 2);
+    EXPECT_EQ(texts("article h2 code"), Names{"truncated"});
+    EXPECT_EQ(texts("article [rel]"), Names{"Next →"});
+    browser().eval("document.querySelector('article:target [href=\"#lab-02\"]').click()");
+    EXPECT_EQ(texts(".index a span"), ids_);
+}
+
+TEST_F(MistakesPage, WorksWithoutScripts) {
+    browser().scripts(false);
+    open();
+    EXPECT_EQ(texts(".index a span"), ids_);
+    EXPECT_EQ(texts(".filter label"), Names{});
+    open("#02-truncated");
+    EXPECT_EQ(texts("article h2 code"), Names{"truncated"});
+    browser().scripts(true);
+}
+
+TEST_F(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
     EXPECT_TRUE(browser().load_images());
-    Names ids;
-    for (const MistakeInfo& mistake : manifest.mistakes) ids.push_back(mistake.id);
-    Names shown = browser().eval("[...document.querySelectorAll('h4 code')].map(one => one.textContent)");
-    std::sort(ids.begin(), ids.end()), std::sort(shown.begin(), shown.end());
-    EXPECT_EQ(shown, ids);
     // Both pictures are stacked, and they differ visibly.
     const Names files = browser().eval(
         "[...document.querySelectorAll('article')].map(one => [...one.querySelectorAll("
         "'.laid img')].map(image => decodeURI(image.src).slice(7))).flat()");
-    ASSERT_EQ(files.size(), 2 * ids.size());
+    ASSERT_EQ(files.size(), 2 * ids_.size());
     for (size_t i = 0; i < files.size(); i += 2)
         EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
     const Names maps = browser().eval(
         "[...document.querySelectorAll('article figure.difference img')].map(image => decodeURI(image.src).slice(7))");
-    EXPECT_EQ(maps.size(), ids.size());
+    EXPECT_EQ(maps.size(), ids_.size());
     for (const std::string& map : maps) {
         const Image picture = read_image(map);
         EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 0.5)
             << map << " shows no difference";
     }
-    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids_.size()));
     EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
-    browser().eval("dispatchEvent(new Event('beforeprint')), 0");
-    EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
-    EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
     browser().paper(true);
+    EXPECT_EQ(texts("article h2 code"), ids_);
     EXPECT_LT(
         int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")), 480)
         << "two mistakes on a sheet, each of them whole";
     browser().paper(false);
-    browser().eval("dispatchEvent(new Event('afterprint')), 0");
-    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0);
+}
+
+TEST_F(MistakesPage, IsFilteredByWords) {
     ASSERT_TRUE(browser().tab_to("input[type=search]"));
     browser().type("truncated 2.1");
     EXPECT_EQ(browser().eval("document.querySelector('output').textContent"),
-              "1 of " + std::to_string(ids.size()) + " shown");
-    EXPECT_EQ(
-        browser().eval("[...document.querySelectorAll('article')].filter(one => one.checkVisibility()).map(one => "
-                       "one.querySelector('h4').textContent).join()"),
-        "truncated");
-    ASSERT_TRUE(browser().tab_to(".wipe input"));
-    browser().press("End");
-    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
-    for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
-    for (const bool dark : {false, true}) {
-        browser().dark(dark);
-        EXPECT_EQ(browser().faint_texts(), Names{}) << dark;
+              "1 of " + std::to_string(ids_.size()) + " shown");
+    EXPECT_EQ(texts(".index a span"), Names{"truncated"});
+}
+
+TEST_F(MistakesPage, IsLegibleForEverybody) {
+    for (const char* place : {"", "#lab-02", "#02-truncated"}) {
+        open(place);
+        for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
+        for (const bool dark : {false, true}) {
+            browser().dark(dark);
+            EXPECT_EQ(browser().faint_texts(), Names{}) << place << dark;
+        }
+        browser().dark(false);
+        browser().width(360);
+        EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << place;
+        browser().width(0);
+        EXPECT_EQ(browser().complaints(), Names{}) << place;
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << place;
     }
-    browser().dark(false);
-    browser().width(360);
-    EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{});
-    browser().width(0);
-    EXPECT_EQ(browser().complaints(), Names{});
-    EXPECT_EQ(browser().accessibility_faults(), Names{});
 }
 
 }  // namespace
