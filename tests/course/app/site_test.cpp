@@ -98,7 +98,10 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         browser().open(page);
         EXPECT_TRUE(browser().load_images()) << page;
         if (ours) {
-            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout"), 0) << page;
+            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout") +
+                          (page.stem() == "accessibility"),
+                      0)
+                << page;
             EXPECT_EQ(browser().eval("[...document.images].filter(image => image.hasAttribute('width') && "
                                      "!image.src.endsWith('.svg') && "
                                      "image.getAttribute('width') != image.naturalWidth).map(image => image.src)"),
@@ -137,8 +140,8 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         EXPECT_EQ(browser().complaints(), Names{}) << page;
     }
     for (const auto& place : places) EXPECT_TRUE(ids.contains(place)) << place.first << "#" << place.second;
-    // The first page, a page and a handout for each lab, a deck, the measurements.
-    EXPECT_EQ(pages.size(), 1 + 2 * labs().size() + 2);
+    // The first page, accessibility, a page and a handout for each lab, a deck, the measurements.
+    EXPECT_EQ(pages.size(), 2 + 2 * labs().size() + 2);
     EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
 }
 
@@ -153,16 +156,42 @@ TEST_F(Site, TheFirstPageListsEveryLabWithItsPointsAndExistingSlides) {
     EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h3')].map(one => one.textContent)")), titles);
     EXPECT_EQ(browser().eval("document.querySelectorAll('section > h2').length"), 3);
     EXPECT_EQ(browser().eval("document.querySelectorAll('.hero img').length"), 1);
-    EXPECT_EQ(
-        Names(browser().eval("[...document.querySelectorAll('article li:not(.links *)')].map(one => one.textContent)")),
-        learns);
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('article li')].map(one => one.textContent)")),
+              learns);
     EXPECT_EQ(browser().eval("document.querySelector('.sum').textContent"),
               std::to_string(labs().size()) + "labs" +
                   std::string(browser().eval("document.querySelectorAll('.sum b')[1].textContent")) + "tasks" +
                   std::to_string(points) + "points");
-    EXPECT_EQ(Names(browser().eval("[...document.links].filter(link => link.textContent == 'Slides').map(link => "
-                                   "link.getAttribute('href'))")),
-              Names{"slides/01_specular_highlights.html"});
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('header .links a')].map(link => link.textContent)")),
+              (Names{"Begin here: " + titles.front(), "Speed and error"}));
+    Names decks;
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        for (const std::string& deck : Names(browser().eval("[...document.links].filter(link => link.textContent == "
+                                                            "'Slides').map(link => link.getAttribute('href'))")))
+            decks.push_back(deck);
+    }
+    EXPECT_EQ(decks, Names{"slides/01_specular_highlights.html"});
+}
+
+TEST_F(Site, OnTheFirstPageACardIsOneTabStopAndALinkSkipsToTheCards) {
+    open("index.html");
+    EXPECT_EQ(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(card => "
+                             "card.querySelectorAll('a, button, [tabindex]').length))"),
+              1);
+    browser().press("Tab");
+    EXPECT_EQ(browser().eval("document.activeElement.textContent"), "Skip to the labs");
+    EXPECT_EQ(browser().eval("document.activeElement.getBoundingClientRect().top > 0"), true) << "visible with focus";
+    browser().press("Enter");
+    browser().press("Tab");
+    EXPECT_EQ(browser().eval("document.activeElement.closest('article').id"), "lab-01");
+    // A click anywhere on a card opens the lab.
+    browser().eval("document.querySelector('article img').scrollIntoView({block: 'center'})");
+    EXPECT_EQ(
+        browser().eval("(() => { const box = document.querySelector('article img').getBoundingClientRect(); return "
+                       "document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2)"
+                       ".getAttribute('href'); })()"),
+        "01_specular_highlights.html");
 }
 
 TEST_F(Site, TheKeyboardMovesTheWipeBetweenTwoMethods) {
@@ -243,9 +272,9 @@ TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
     EXPECT_GE(measured, 10);
 }
 
-TEST_F(Site, AxeFindsNothingOnTheCoursePageALabsPageAndAHandout) {
-    for (const char* page : {"index.html", "10_parallax_offset.html", "10_parallax_offset-handout.html",
-                             "17_time_and_error-handout.html"}) {
+TEST_F(Site, AxeFindsNothingOnAPageOfEachKind) {
+    for (const char* page : {"index.html", "accessibility.html", "10_parallax_offset.html",
+                             "10_parallax_offset-handout.html", "17_time_and_error-handout.html"}) {
         open(page);
         EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
     }
@@ -269,8 +298,11 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
             "[...document.querySelectorAll('.methods .picture')].map(image => "
             "decodeURI(image.src).slice(7))");
         ASSERT_GE(files.size(), 2u) << lab;
-        const Image first = read_image(files.front()), last = read_image(files.back());
-        EXPECT_GT(difference(first, last, 8.0 / 255).pixels_over, first.pixel_count() / 200) << lab;
+        // Not each of them: lab 17's method within a budget of a pixel looks like the exact one.
+        const Image last = read_image(files.back());
+        EXPECT_TRUE(std::any_of(files.begin(), files.end() - 1, [&](const std::string& file) {
+            return difference(read_image(file), last, 8.0 / 255).pixels_over > last.pixel_count() / 200;
+        })) << lab;
         const std::optional<CompareInfo> compare = manifest(lab).compare;
         ASSERT_TRUE(compare) << lab;
         EXPECT_EQ(size_t(browser().eval("document.querySelectorAll('.methods .map').length")),
