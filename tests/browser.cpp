@@ -269,7 +269,7 @@ std::vector<std::string> Browser::accessibility_faults() {
             const json answer =
                 call("Runtime.evaluate",
                      {{"expression",
-                       script + R"js(;axe.run().then(result => result.violations.flatMap(rule => rule.nodes.map(node =>
+                       script + R"js(;axe.run({rules: {'target-size': {enabled: true}}}).then(result => result.violations.flatMap(rule => rule.nodes.map(node =>
                       rule.id + ": " + node.html.slice(0, 160) + " " + node.failureSummary))))js"},
                       {"returnByValue", true},
                       {"awaitPromise", true}});

@@ -125,6 +125,7 @@ std::string plain(double number) { return rounded(number, 6); }
 std::string plural(std::string_view unit) {
     if (unit.empty()) return "";
     const std::string_view counted = unit.substr(0, unit.find(' '));
+    if (counted == "percent") return std::string(unit);
     return fmt::format("{}{}{}", counted, counted.ends_with("ch") ? "es" : "s", unit.substr(counted.size()));
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "framework/core/lab/shot.h"
+#include "framework/core/lab/words.h"
 
 namespace relief {
 namespace {
@@ -69,7 +70,7 @@ void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::strin
 void Labels::draw(const Frame& frame) {
     std::vector<Corner> corners;
     corners.swap(corners_of_this_draw());
-    if (frame.probe || corners.empty()) return;
+    if (frame.probe || corners.empty() || !has_words()) return;
     if (!uploaded_) {
         uploaded_.emplace();
         glBindVertexArray(uploaded_->layout);

@@ -15,6 +15,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
+#include "framework/core/lab/words.h"
 #include "framework/course/app/gallery.h"
 #include "framework/course/pages/comparison.h"
 #include "framework/course/pages/handout_page.h"
@@ -39,9 +40,7 @@ pages::Fields card(const pages::LabPage& page) {
         {"picture", page.card},
         {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
         {"tasks",
-         tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())},
-        {"links",
-         pages::link_row({{"Open", page.live}, {"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
+         tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())}};
 }
 
 /// Converts a knob's value to a part of a file name.
@@ -94,6 +93,7 @@ public:
         link_neighbours();
         draw_hero();
         if (!is_live_) slides_->copy(), bench_->copy();
+        write_file(folder_ / "accessibility.html", accessibility());
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
             if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
@@ -179,8 +179,9 @@ private:
         write_file(folder_ / "index.html", index(std::move(cards)));
     }
 
-    /// Draws the lab's cover, because many labs open with all methods at once.
+    /// Draws the lab's cover, because many labs open with all methods at once. The card has its words.
     static Image card_picture(const LabEntry& entry, const Manifest& manifest) {
+        const WithoutWords no_words;
         Shot shot;
         shot.camera = manifest.camera;
         if (!manifest.cover.empty()) shot = manifest.golden(manifest.cover).shot;
@@ -192,6 +193,7 @@ private:
     /// Draws the picture of the first page: the course's richest scene, or else the last lab's.
     void draw_hero() {
         constexpr int richest = 16;
+        const WithoutWords no_words;
         if (pages_.empty()) return;
         auto page = std::find_if(pages_.begin(), pages_.end(),
                                  [](const pages::LabPage& one) { return one.lab->number == richest; });
@@ -249,19 +251,50 @@ private:
         int points = 0;
         for (const pages::LabPage& page : pages_)
             tasks += page.manifest->tasks.size(), points += page.manifest->points();
-        return pages::render(
-            {.title = "Relief: the labs",
-             .body = "index",
-             .styles = {"site", "index"},
-             .scripts = {},
-             .pictures = pages::PagePictures::beside},
-            {{"hero", hero_},
-             {"labs", labs_.size()},
-             {"tasks", tasks},
-             {"points", points},
-             {"links", is_live_ ? pages::Value() : pages::link_row({{"Speed and error", bench_->place("index.html")}})},
-             {"groups", in_groups(std::move(cards))},
-             {"driver", describe_context().driver()}});
+        return pages::render({.title = "Relief: the labs",
+                              .body = "index",
+                              .styles = {"site", "index"},
+                              .scripts = {},
+                              .pictures = pages::PagePictures::beside},
+                             {{"hero", hero_},
+                              {"labs", labs_.size()},
+                              {"tasks", tasks},
+                              {"points", points},
+                              {"begin", begin()},
+                              {"links", links()},
+                              {"groups", in_groups(std::move(cards))},
+                              {"driver", describe_context().driver()}});
+    }
+
+    /// Returns the link to the first lab that is not broken.
+    pages::Value begin() const {
+        if (pages_.empty()) return {};
+        const pages::LabPage& first = pages_.front();
+        return pages::Fields{{"file", pages::lab_page_file(*first.lab)},
+                             {"number", first.lab->two_digits()},
+                             {"title", first.manifest->title}};
+    }
+
+    pages::List links() const {
+        pages::List links;
+        const auto add = [&](const char* name, const std::string& place) {
+            if (!place.empty()) links.push_back(pages::Fields{{"name", name}, {"place", place}});
+        };
+        const auto live = std::find_if(pages_.begin(), pages_.end(), [](const pages::LabPage& page) {
+            return !page.live.empty() && page.manifest->browser;
+        });
+        if (live != pages_.end()) add("Try in a browser", live->live);
+        if (!is_live_) add("Speed and error", bench_->place("index.html"));
+        return links;
+    }
+
+    static std::string accessibility() {
+        return pages::render({.title = "Relief: accessibility",
+                              .body = "accessibility",
+                              .styles = {"site", "markdown"},
+                              .scripts = {},
+                              .pictures = pages::PagePictures::beside},
+                             {});
     }
 
     /// Groups `cards`, which are in the order of the labs.

@@ -7,6 +7,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/image/visualize.h"
+#include "framework/core/lab/words.h"
 
 namespace relief::pages {
 namespace {
@@ -93,7 +94,10 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         shot.set.emplace_back(info.knob, value), shot.probe = {};
         ComparedMethod& method = result.methods.emplace_back(ComparedMethod{value, {}, {}, {}});
         const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
-        method.picture = render_shot(*drawn, shot);
+        {
+            const WithoutWords no_words;  // the page names the method
+            method.picture = render_shot(*drawn, shot);
+        }
         if (!probe) continue;
         shot.probe = probe;
         shot.size = shot.size * 3 / 4;  // a probe needs no smooth edges, and its exact values are slow to compute

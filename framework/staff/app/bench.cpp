@@ -79,6 +79,7 @@ class TopicRun {
 public:
     TopicRun(const measure::BenchTopic& topic, std::vector<measure::BenchScene> scenes, measure::BenchRun run)
         : topic_(topic), scenes_(std::move(scenes)), run_(std::move(run)) {
+        machine.is_quick = run_.settings.quick;
         for (const measure::BenchScene& scene : scenes_)
             for (measure::BenchRow& row : measure::open_rows(topic, scene)) rows_.push_back(std::move(row));
     }

@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The longer side of a picture, in pixels: two pictures fill a line of the page.
+/// The longer side of a picture, in pixels: enough for a large screen, where three pictures fill a line of the page.
 constexpr int large = 480;
 
-/// Draws a mistake's pictures and describes it: an article of the page.
+/// Draws a mistake's pictures and describes it: the contents of an article of the page.
 class MistakeArticle {
 public:
     MistakeArticle(const fs::path& folder, const LabEntry& lab, grade::MistakePictures& pictures,
@@ -36,22 +36,22 @@ public:
 
     /// The reason if no picture could be made. Valid after text().
     const std::string& problem() const { return problem_; }
+    /// The picture with the mistake, relative to the page, and the words that find it. Valid after text().
+    const std::string& picture() const { return picture_; }
+    const std::string& words() const { return words_; }
 
     std::string text() {
         pages::Fields fields = described();
+        words_ = mistake_.id + " " + mistake_.hint + " " + mistake_.task;
         try {
             const grade::MistakePicture picture = pictures_.best(mistake_);
-            fields["words"] = mistake_.id + " " + mistake_.hint + " " + mistake_.task + " " + picture.check->name;
+            words_ += " " + picture.check->name;
             fields["check"] = picture.check->name;
             fields["badge"] = pages::badge(picture.said.outcome);
             fields["found"] = picture.said.found;
             pages::List shown = figures(picture);
-            pages::List difference;
-            if (!shown.empty() && shown.back().fields.at("kind").text == "difference") {
-                difference.push_back(std::move(shown.back()));
-                shown.pop_back();
-            }
-            fields["figures"] = std::move(shown), fields["difference"] = std::move(difference);
+            if (!shown.empty()) picture_ = shown.front().fields.at("src").text;
+            fields["figures"] = std::move(shown);
         } catch (const pages::CannotWrite&) {
             throw;
         } catch (const Error& error) {
@@ -72,8 +72,7 @@ private:
                                           {"find", edit.find},
                                           {"replace", edit.replace.empty() ? "(nothing)" : edit.replace}});
         return {{"id", mistake_.id},
-                {"place", lab_.two_digits() + "-" + mistake_.id},
-                {"words", mistake_.id + " " + mistake_.hint + " " + mistake_.task},
+                {"task", mistake_.task},
                 {"hint", pages::with_code(mistake_.hint)},
                 {"problem", ""},
                 {"page", pages::Fields{{"pictures_inside", false}}},
@@ -115,7 +114,7 @@ private:
     grade::MistakePictures& pictures_;
     const Manifest& manifest_;
     const MistakeInfo& mistake_;
-    std::string problem_;
+    std::string problem_, picture_, words_;
 };
 
 /// The mistakes of one task. One process draws them all, because they share the solution's pictures.
@@ -143,7 +142,7 @@ std::vector<Part> parts_of(const std::vector<const LabEntry*>& labs) {
     return parts;
 }
 
-/// Messages from drawing processes: an article, or the name of a mistake before it is drawn.
+/// Messages from drawing processes: a drawn mistake, or the name of a mistake before it is drawn.
 using nlohmann::json;
 
 std::string text_of(const json& message) { return message.dump(-1, ' ', false, json::error_handler_t::replace); }
@@ -166,14 +165,21 @@ void draw_parts(const std::vector<Part>& parts, const fs::path& folder, ContextC
             say(text_of({{"begins", name}}));
             MistakeArticle article(folder, *lab, *pictures, mistake);
             std::string text = article.text();
-            say(text_of({{"article", name}, {"text", std::move(text)}, {"problem", article.problem()}}));
+            say(text_of({{"drawn", name},
+                         {"text", std::move(text)},
+                         {"picture", article.picture()},
+                         {"words", article.words()},
+                         {"problem", article.problem()}}));
         }
     }
 }
 
-/// The drawn articles of a page.
+/// The drawn mistakes of a page.
 struct Drawn {
-    std::map<std::string, std::string> articles;  ///< by lab and mistake: "10 towards-the-eye"
+    struct One {
+        std::string article, picture, words;
+    };
+    std::map<std::string, One> mistakes;  ///< by lab and mistake: "10 towards-the-eye"
     std::string driver;
     int failures = 0;
 };
@@ -188,9 +194,9 @@ Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::pa
             const json message = json::parse(text);
             if (message.contains("driver")) drawn.driver = message.at("driver");
             if (message.contains("begins")) progress.next(std::string(message.at("begins")));
-            if (!message.contains("article")) return;
-            const std::string name = message.at("article"), problem = message.at("problem");
-            drawn.articles[name] = message.at("text");
+            if (!message.contains("drawn")) return;
+            const std::string name = message.at("drawn"), problem = message.at("problem");
+            drawn.mistakes[name] = {message.at("text"), message.at("picture"), message.at("words")};
             if (problem.empty()) return;
             print_error(fmt::format("{}: {}", name, problem));
             ++drawn.failures;
@@ -212,18 +218,30 @@ pages::Value demands_of(const Manifest& manifest, const std::string& task) {
 }
 
 std::string page_of(const std::vector<const LabEntry*>& labs, int count, const Drawn& drawn) {
-    pages::List all;
+    pages::List all, articles;
     for (const LabEntry* lab : labs) {
         const Manifest manifest = load_manifest(*lab);
+        const size_t first = articles.size();
         pages::List tasks;
         for (const TaskInfo& task : manifest.tasks) {
             pages::List mistakes;
-            for (const MistakeInfo& mistake : manifest.mistakes)
-                if (mistake.task == task.id)
-                    mistakes.push_back(
-                        pages::Fields{{"id", mistake.id},
-                                      {"place", lab->two_digits() + "-" + mistake.id},
-                                      {"article", drawn.articles.at(lab->two_digits() + " " + mistake.id)}});
+            for (const MistakeInfo& mistake : manifest.mistakes) {
+                if (mistake.task != task.id) continue;
+                const Drawn::One& one = drawn.mistakes.at(lab->two_digits() + " " + mistake.id);
+                const std::string place = lab->two_digits() + "-" + mistake.id;
+                mistakes.push_back(pages::Fields{
+                    {"id", mistake.id}, {"place", place}, {"picture", one.picture}, {"words", one.words}});
+                articles.push_back(pages::Fields{
+                    {"id", mistake.id},
+                    {"place", place},
+                    {"lab", lab->two_digits()},
+                    {"task", task.id},
+                    {"article", one.article},
+                    {"previous",
+                     articles.size() > first ? pages::Value(articles.back().fields.at("place")) : pages::Value()},
+                    {"next", ""}});
+                if (articles.size() > first + 1) articles[articles.size() - 2].fields["next"] = place;
+            }
             tasks.push_back(pages::Fields{{"id", task.id},
                                           {"title", task.title},
                                           {"demands", demands_of(manifest, task.id)},
@@ -239,7 +257,11 @@ std::string page_of(const std::vector<const LabEntry*>& labs, int count, const D
                           .styles = {"badge", "checks", "figures", "framework/staff/pages/mistakes"},
                           .scripts = {"wipe", "checks", "framework/staff/pages/mistakes"},
                           .pictures = pages::PagePictures::beside},
-                         {{"count", count}, {"labs", std::move(all)}, {"driver", drawn.driver}});
+                         {{"count", count},
+                          {"one_lab", labs.size() == 1},
+                          {"labs", std::move(all)},
+                          {"articles", std::move(articles)},
+                          {"driver", drawn.driver}});
 }
 
 /// Returns the labs with known mistakes, and the number of mistakes. Only that lab if `lab` is not empty.

@@ -23,15 +23,41 @@ std::string with_figures(const BenchRow& row) {
                        amount_of(row.error.mean, row.error.unit));
 }
 
+/// Returns whether the spreads of two methods' times, p10 to p90, overlap.
+bool about_equal(const BenchTimes& a, const BenchTimes& b) { return a.p10 <= b.p90 && b.p10 <= a.p90; }
+
+/// Returns " About as fast: linear 8, linear 16." for the other methods that noise may have made slower than `fast`;
+/// "" if there is none.
+std::string about_as_fast(std::span<const BenchRow> rows, const std::vector<size_t>& timed, const BenchRow& fast) {
+    constexpr size_t most = 3;
+    std::vector<std::string> names;
+    for (const size_t place : timed)
+        if (&rows[place] != &fast && about_equal(rows[place].times, fast.times))
+            names.push_back(short_name(rows[place]));
+    if (names.empty()) return {};
+    const size_t more = names.size() > most + 1 ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    return fmt::format(" About as fast: {}{}.", join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// Returns "1.7 times as long", or "about as long".
+std::string as_long(const BenchRow& slow, const BenchRow& fast) {
+    return about_equal(slow.times, fast.times) ? "about as long"
+                                               : rounded(slow.times.median / fast.times.median, 2) + " times as long";
+}
+
 std::string of_times(std::span<const BenchRow> rows, std::vector<size_t> timed) {
     std::sort(timed.begin(), timed.end(),
               [&](size_t a, size_t b) { return rows[a].times.median < rows[b].times.median; });
     const BenchRow &first = rows[timed.front()], &last = rows[timed.back()];
     if (timed.size() == 1)
         return fmt::format("{} takes {} a {}.", short_name(first), time_text(first.times.median), first.item);
-    return fmt::format("Fastest: {} ({} a {}). Slowest: {} ({}), {} times that.", short_name(first),
-                       time_text(first.times.median), first.item, short_name(last), time_text(last.times.median),
-                       rounded(last.times.median / first.times.median, 2));
+    if (about_equal(first.times, last.times))
+        return fmt::format("All {} methods take about as long: {} to {} a {}.", timed.size(),
+                           time_text(first.times.median), time_text(last.times.median), first.item);
+    return fmt::format("The fastest: {} ({} a {}).{} The slowest: {} ({}), {}.", short_name(first),
+                       time_text(first.times.median), first.item, about_as_fast(rows, timed, first), short_name(last),
+                       time_text(last.times.median), as_long(last, first));
 }
 
 std::string of_sweeps(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
@@ -82,15 +108,18 @@ std::string answer_of(std::span<const BenchRow> rows, const std::vector<size_t>&
     if (front.empty()) return of_times(rows, timed);
     std::sort(front.begin(), front.end(),
               [&](size_t a, size_t b) { return rows[a].times.median < rows[b].times.median; });
-    const BenchRow &fast = rows[front.front()], &accurate = rows[front.back()];
-    if (front.size() == 1)
-        return fmt::format("Of {} methods {} is the fastest and the most accurate.", timed.size(), with_figures(fast));
+    const BenchRow& fast = rows[front.front()];
+    // The fastest of those that have the smallest error, as it is written.
+    const BenchRow& accurate = rows[*std::find_if(front.begin(), front.end(), [&](size_t place) {
+        return rounded(rows[place].error.mean, 2) == rounded(rows[front.back()].error.mean, 2);
+    })];
+    const std::string also = about_as_fast(rows, timed, fast);
+    if (&accurate == &fast)
+        return fmt::format("Of {} methods {} is the fastest and the most accurate.{}", timed.size(), with_figures(fast),
+                           also);
     return fmt::format(
-        "Of {} methods {} are beaten by no other in both time and error. The fastest: {}. The most accurate: {}, {} "
-        "times "
-        "as long.",
-        timed.size(), front.size(), with_figures(fast), with_figures(accurate),
-        rounded(accurate.times.median / fast.times.median, 2));
+        "Of {} methods {} are beaten by no other in both time and error. The fastest: {}.{} The most accurate: {}, {}.",
+        timed.size(), front.size(), with_figures(fast), also, with_figures(accurate), as_long(accurate, fast));
 }
 
 }  // namespace relief::measure

@@ -17,7 +17,7 @@
 namespace relief::measure {
 namespace {
 
-constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#c2bbae",
+constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#8f887b",
                      *peer_color = "#23629b", *text_color = gnuplot_text_color;
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
@@ -41,7 +41,9 @@ public:
     std::string script() const {
         if (timed_.empty()) return {};
         const BenchRow& first = rows_[timed_.front()];
-        const std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
+        std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
+        if (0.62 * style_.title * double(title.size() + style_.note.size()) > style_.size.x) title.clear();
+        if (!style_.note.empty()) title += (title.empty() ? "" : ", ") + style_.note;
         std::string text = fmt::format(
             "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
             "set xtics autofreq font ',{0}'\nset ytics autofreq font ',{0}'\nset title {1} noenhanced font ',{2}'\nset "
@@ -226,9 +228,10 @@ private:
         const auto add = [&](const char* name, const std::string& how) {
             if (blocks.contains(name)) plots.push_back(fmt::format("${}{} {}", name, number_, how));
         };
-        const auto dots = [&](const char* name, const char* color, double size) {
+        const auto dots = [&](const char* name, const char* color, double size, int shape) {
             add(name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
-            add(name, fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
+            add(name,
+                fmt::format("using 1:2:5 with labels hypertext point pt {} ps {} lc rgb '{}'", shape, size, color));
         };
         const auto names = [&](const char* name, const char* color) {
             const std::string look = fmt::format("font ',{}' textcolor rgb '{}' noenhanced", style_.names, color);
@@ -238,9 +241,10 @@ private:
         };
         add("sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
         add("steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
-        dots("pale", pale_color, 0.45);
-        dots("front", front_color, 0.6);
-        dots("peers", peer_color, 0.6);
+        constexpr int disc = 7, diamond = 13;
+        dots("pale", pale_color, 0.45, disc);
+        dots("front", front_color, 0.6, disc);
+        dots("peers", peer_color, 0.8, diamond);
         if (style_.all_names) names("pale", quiet_color);
         names("front", front_color);
         names("peers", peer_color);
@@ -286,14 +290,16 @@ private:
 };
 
 std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
-    constexpr PanelStyle style;
+    const PanelStyle style;
     std::vector<std::string> panels;
     for (const std::vector<size_t>& scene : scenes_of(rows))
         if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
-    return gnuplot_panels(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by), panels, {style.size});
+    return gnuplot_panels(
+        fmt::format("{}: {} clock, {}{}", topic.name, machine.clock, by, machine.is_quick ? ", quick run" : ""), panels,
+        {style.size});
 }
 
 }  // namespace
@@ -336,6 +342,18 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine) {
+    const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
+    if (scenes.size() == 1) {
+        const glm::ivec2 size = topic.sweeps ? glm::ivec2(560, 520) : glm::ivec2(1000, 520);
+        const PanelStyle slide{.size = size,
+                               .title = 19,
+                               .axes = 18,
+                               .names = 18,
+                               .all_names = !topic.sweeps,
+                               .direct_names = true,
+                               .note = machine.is_quick ? "quick run" : ""};
+        return scene_plot(topic, rows, scenes.front(), slide, topic.name);
+    }
     const std::string script = topic.sweeps ? sweep_script(topic, rows, machine) : script_of(topic, rows, machine);
     return script.empty() ? "" : run_gnuplot(script, topic.name, topic.question);
 }
@@ -343,8 +361,9 @@ std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const B
 std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const std::vector<size_t>& scene, const PanelStyle& style,
                                       const std::string& name) {
-    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, style) : Panel(rows, scene, 0, style).script();
-    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, style), name, topic.question);
+    PanelStyle whole = style;
+    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, whole) : Panel(rows, scene, 0, style).script();
+    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, whole), name, topic.question);
 }
 
 }  // namespace relief::measure

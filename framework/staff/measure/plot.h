@@ -21,14 +21,14 @@ bool has_errors(std::span<const BenchRow> rows, const std::vector<size_t>& scene
 std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene);
 
 /// Returns a plot as SVG, with a panel for each scene: mean error over time on log axes. The Pareto front is a line,
-/// other points are pale, peers are blue. A scene without has_errors() has bars of time instead. A point is an element
-/// `class="point" data-row="17"` with the row's name as its title. The text is empty if no row has a time.
-/// Precondition: all rows are from one run, because the plot's title names `machine`. Returns nothing if gnuplot is not
-/// installed; throws Error if it fails.
+/// other points are pale, peers are blue diamonds. A single scene has letters for a slide. A scene without has_errors()
+/// has bars of time instead. A point is an element `class="point" data-row="17"` with the row's name as its title. The
+/// text is empty if no row has a time. Precondition: all rows are from one run, because the title of several
+/// scenes names `machine`. Returns nothing if gnuplot is not installed; throws Error if it fails.
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine);
 
-/// Returns a large plot of one scene, with as many names as there is room for. Names of its elements begin with `name`.
+/// Returns a plot of one scene, with as many names as there is room for. Names of its elements begin with `name`.
 std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const std::vector<size_t>& scene, const PanelStyle& style,
                                       const std::string& name);

@@ -33,11 +33,12 @@ struct BenchRow {
 /// Returns the rows of a scene, all in state "open".
 std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene);
 
-/// The machine and the build, for each line of the CSV.
+/// The machine and the build, for each line of the CSV, and the kind of run.
 struct BenchMachine {
     std::string cpu = {}, compiler = {}, commit = {};
     std::string renderer = "none";  ///< "none" if nothing was drawn
     std::string clock = "wall";     ///< "wall": around glFinish for a topic that draws; "gpu": timer queries
+    bool is_quick = false;          ///< small sizes and few repeats: plots say so
 };
 /// Returns the CPU's name as the system reports it.
 std::string cpu_name();

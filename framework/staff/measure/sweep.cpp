@@ -37,10 +37,21 @@ std::string where(std::span<const Place> places, Is is) {
 
 bool is_lost(const Place& place) { return place.not_finite > 0 || place.endless > 0; }
 
-constexpr std::array our_colors = {"#a34a16", "#d98a3d", "#7a5c2e", "#c23b22", "#6d7d2f", "#8a857b", "#c9a227"};
-constexpr std::array peer_colors = {"#23629b", "#3fa0c9", "#6a5acd", "#1d8a7a"};
-constexpr std::array our_points = {7, 5, 9, 11, 13, 15, 7};
-constexpr std::array peer_points = {6, 4, 8, 10};
+/// The look of a curve. Its colour, dashes and points all differ from those of its neighbours: readers with
+/// deuteranopia tell brown from green by the dashes.
+struct Look {
+    const char *color, *dashes;
+    int point;
+};
+constexpr const char* whole = "solid";
+constexpr std::array our_looks = {Look{"#23211d", whole, 7},  Look{"#a84300", whole, 5},   Look{"#00694f", "'_'", 9},
+                                  Look{"#8a3a80", whole, 11}, Look{"#7d5a00", "'_.'", 13}, Look{"#23211d", "'_'", 15},
+                                  Look{"#a84300", "'_.'", 9}, Look{"#00694f", whole, 11},  Look{"#8a3a80", "'_'", 7},
+                                  Look{"#7d5a00", whole, 5},  Look{"#23211d", "'_.'", 11}};
+constexpr std::array peer_looks = {Look{"#0a5c9e", "'-'", 6}, Look{"#3f51a8", "'.'", 4}, Look{"#0a5c9e", "'-.'", 8},
+                                   Look{"#3f51a8", "'-'", 10}};
+
+int legend_columns(const PanelStyle& style) { return style.size.x / 210; }
 
 /// The curves of one scene.
 class Panel {
@@ -67,34 +78,98 @@ public:
         if (places_.empty()) return {};
         const BenchRow& first = rows_[places_.front()];
         std::string text = fmt::format(
-            "unset arrow\nunset label\nset grid xtics ytics lc rgb '#ece8e0'\nset format x '%g'\nset format y '%g'\n"
-            "set logscale xy\nset xtics autofreq rotate by -30 font ',{}'\nset ytics autofreq font ',{}'\n"
+            "unset arrow\nunset label\nset grid xtics ytics lc rgb '#ece8e0'\nset format y '%g'\n"
+            "set logscale xy\nset xtics ({}) font ',{}'\nset ytics autofreq font ',{}'\n"
             "set title {} noenhanced font ',{}'\nset border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
-            "set xlabel {} noenhanced offset 0,-0.4\nset ylabel {} noenhanced\n"
-            "set key at graph 0.5,-0.38 center top horizontal maxcols 3 samplen 1.5 spacing 0.85 font ',{}' "
-            "noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-            style_.names, style_.axes, gnuplot_text(title(first)), style_.title, gnuplot_text_color,
-            gnuplot_text(first.item), gnuplot_text("error, " + plural(first.error.unit)), style_.names - 1, left_ / 1.3,
-            right_ * 1.3, floor_, ceiling_);
+            "set xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
+            tics(), style_.axes, style_.axes, gnuplot_text(title(first)), style_.title, gnuplot_text_color,
+            gnuplot_text(hardness()), gnuplot_text("error, " + plural(first.error.unit)), left_ / 1.3, right_ * 1.3,
+            floor_, ceiling_);
+        text += style_.direct_names ? "set key off\n" + names_at_ends() : legend();
         if (any_zero_) text += fmt::format("set ytics add ('0' {})\n", floor_);
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
         std::vector<std::string> plots;
-        for (const bool peer : {true, false}) {  // the course's methods are drawn last, on top
-            size_t count = 0;
-            for (const size_t row : places_)
-                if (rows_[row].peer == peer) curve(row, count++, text, plots);
-        }
+        for (const size_t row : places_) curve(row, text, plots);
         return text + "plot " + join(plots, ", \\\n  ") + "\n";
     }
 
 private:
     /// Returns a title such as "hits angle": the values of the scene's knobs.
-    static std::string title(const BenchRow& row) {
+    std::string title(const BenchRow& row) const {
         std::string text;
         for (const auto& [knob, value] : row.scene) text += (text.empty() ? "" : ", ") + value;
         std::replace(text.begin(), text.end(), '-', ' ');
+        return style_.note.empty() ? text : text + ", " + style_.note;
+    }
+
+    /// Returns as many powers of ten as have room side by side.
+    std::string tics() const {
+        const int first = int(std::ceil(std::log10(left_) - 0.01)), last = int(std::floor(std::log10(right_) + 0.01));
+        const double room = (style_.size.x - 110 - (style_.direct_names ? names_width() : 0)) / (3.6 * style_.axes);
+        const int step = std::max(1, int(std::ceil((last - first) / std::max(1.0, room))));
+        std::vector<std::string> all;
+        for (int power = first; power <= last; power += step)
+            all.push_back(fmt::format(
+                "'{}' 1e{}", std::abs(power) <= 3 ? plain(std::pow(10, power)) : fmt::format("1e{}", power), power));
+        return join(all, ", ");
+    }
+
+    double names_width() const {
+        size_t longest = 0;
+        for (const size_t row : places_) longest = std::max(longest, short_name(rows_[row]).size());
+        return 0.62 * style_.names * double(longest) + 14;
+    }
+
+    /// Returns the last position of a curve, from 0 at the floor to 1 at the ceiling.
+    double end_of(size_t row) const {
+        const Place& last = rows_[row].sweep->places.back();
+        const double y = is_lost(last) ? ceiling_ : std::clamp(last.error, floor_, ceiling_);
+        return std::log(y / floor_) / std::log(ceiling_ / floor_);
+    }
+
+    /// Names the curves at their ends. Names of near curves are moved apart; a line leads from the curve to its name.
+    std::string names_at_ends() const {
+        std::vector<size_t> order = places_;
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return end_of(a) > end_of(b); });
+        const double high = std::min(1.25 * style_.names / (style_.size.y - 120.0), 1.0 / double(order.size()));
+        std::vector<double> at;
+        for (const size_t row : order)
+            at.push_back(at.empty() ? std::min(end_of(row), 1.0) : std::min(end_of(row), at.back() - high));
+        // If the last ones are below the axis, they push the ones above them up.
+        for (size_t i = at.size(), lowest = 0; i-- > 0; ++lowest) at[i] = std::max(at[i], double(lowest) * high);
+        std::string text = fmt::format("set rmargin at screen {:.3f}\n", 1 - (names_width() + 16) / style_.size.x);
+        for (size_t i = 0; i < order.size(); ++i) {
+            const Look look = look_of(order[i]);
+            text += fmt::format(
+                "set label {} at graph 1.05,graph {:.3f} left font ',{}' textcolor rgb '{}' noenhanced\n"
+                "set arrow from first {},graph {:.3f} to graph 1.04,graph {:.3f} nohead lw 0.7 lc rgb '{}'\n",
+                gnuplot_text(short_name(rows_[order[i]])), at[i], style_.names, look.color,
+                rows_[order[i]].sweep->places.back().hardness, end_of(order[i]), at[i], look.color);
+        }
         return text;
+    }
+
+    /// Returns a legend below the axis: of a single panel in the room of legend_height(), else in that of `below`.
+    std::string legend() const {
+        const std::string at = style_.legend == 0 ? "graph 0.5,graph -0.26 center"
+                                                  : fmt::format("screen 0.04,screen {:.3f} left reverse Left",
+                                                                (style_.legend - 4.0) / style_.size.y);
+        const int columns = legend_columns(style_);
+        const std::string how = columns == 1 ? "vertical maxrows 99" : fmt::format("horizontal maxcols {}", columns);
+        return fmt::format("set key at {} top {} samplen 3 spacing 1 font ',{}' noenhanced\n", at, how, style_.names);
+    }
+
+    /// Returns the name of the swept quantity, without its explanation in parentheses if there is no room for it.
+    std::string hardness() const {
+        const std::string& item = rows_[places_.front()].item;
+        return 0.6 * style_.axes * double(item.size()) < style_.size.x - 60 ? item : item.substr(0, item.find(" ("));
+    }
+
+    Look look_of(size_t row) const {
+        const size_t i = size_t(std::count_if(places_.begin(), std::find(places_.begin(), places_.end(), row),
+                                              [&](size_t other) { return rows_[other].peer == rows_[row].peer; }));
+        return rows_[row].peer ? peer_looks[i % peer_looks.size()] : our_looks[i % our_looks.size()];
     }
 
     static constexpr double smallest = 1e-9;  ///< smaller values count as 0
@@ -111,10 +186,10 @@ private:
         return fmt::format(
             "set arrow from graph 0,first {0} to graph 1,first {0} nohead lc rgb '#8a857b' dt 2\n"
             "set label 'stated' at graph 0.01,first {0} offset 0,0.4 font ',{1}' textcolor rgb '#6b655a'\n",
-            *limit, style_.names - 1);
+            *limit, style_.names);
     }
 
-    void curve(size_t row, size_t count, std::string& text, std::vector<std::string>& plots) const {
+    void curve(size_t row, std::string& text, std::vector<std::string>& plots) const {
         const BenchRow& of = rows_[row];
         const std::string name = short_name(of);
         const std::string block = fmt::format("$curve{}_{}", number_, row);
@@ -129,13 +204,11 @@ private:
                                 gnuplot_text(fmt::format("#{} {} at {}: {}", row, name, amount(place.hardness), said)));
         }
         text += "END\n";
-        const size_t i = count % (of.peer ? peer_colors.size() : our_colors.size());
-        const char* const color = of.peer ? peer_colors[i] : our_colors[i];
-        plots.push_back(fmt::format("{} using 1:2 with linespoints lw {} dt {} pt {} ps 0.5 lc rgb '{}' title {}",
-                                    block, of.peer ? 1.4 : 2, of.peer ? "'-'" : "1",
-                                    of.peer ? peer_points[i] : our_points[i], color, gnuplot_text(name)));
-        plots.push_back(
-            fmt::format("{} using 1:2:3 with labels hypertext point pt 7 ps 0.35 lc rgb '{}' notitle", block, color));
+        const Look look = look_of(row);
+        plots.push_back(fmt::format("{} using 1:2 with linespoints lw 2 dt {} pt {} ps 0.6 lc rgb '{}' title {}", block,
+                                    look.dashes, look.point, look.color, gnuplot_text(name)));
+        plots.push_back(fmt::format("{} using 1:2:3 with labels hypertext point pt 7 ps 0.35 lc rgb '{}' notitle",
+                                    block, look.color));
     }
 
     std::span<const BenchRow> rows_;
@@ -185,24 +258,28 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
     return join(parts, ", ") + (sweep.why.empty() ? "." : ". " + sweep.why);
 }
 
-std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
+std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, PanelStyle& style) {
+    if (!style.direct_names) {
+        const int columns = legend_columns(style), lines = (int(scene.size()) + columns - 1) / columns;
+        style.legend = int(1.3 * style.names * lines) + 12;
+        style.size.y += style.legend;
+    }
     const std::string panel = Panel(rows, scene, 0, style).script();
-    return panel.empty() ? "" : "set rmargin 5\n" + panel;  // room for the axis' last number, which is rotated and
-                                                            // extends past the axis
+    if (panel.empty() || style.direct_names) return panel;
+    return fmt::format("set bmargin at screen {:.3f}\n", (style.legend + 4.2 * style.axes) / style.size.y) + panel;
 }
 
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
     const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
-    // A single panel is for a slide and needs large letters.
-    const PanelStyle style =
-        scenes.size() == 1 ? PanelStyle{.title = 15, .axes = 13, .names = 12} : PanelStyle{.axes = 10};
+    const PanelStyle style{.size = {480, 450}, .axes = 10};
     std::vector<std::string> panels;
     for (const std::vector<size_t>& scene : scenes)
         if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
-    return gnuplot_panels(topic.name + ", " + (machine.renderer == "none" ? machine.cpu : machine.renderer), panels,
-                          {.size = {480, 450}, .below = 165, .least_columns = 1, .most_columns = 3});
+    const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer;
+    return gnuplot_panels(topic.name + ", " + by + (machine.is_quick ? ", quick run" : ""), panels,
+                          {.size = style.size, .below = 165, .least_columns = 1, .most_columns = 3});
 }
 
 }  // namespace relief::measure

@@ -18,11 +18,27 @@ function show(key) {
   look.hidden = false;
 }
 function keep(key) { kept = kept === key ? null : key; show(kept || key); }
-document.querySelectorAll('figure[data-topic]').forEach(figure => figure.querySelectorAll('.point').forEach(point => {
-  point.dataset.key = figure.dataset.topic + '-' + point.dataset.row;
-  point.addEventListener('mouseenter', () => show(point.dataset.key));
-  point.addEventListener('mouseleave', () => show(kept));
-}));
+// A plot is one stop of the Tab key; arrow keys go from point to point.
+document.querySelectorAll('figure[data-topic] svg').forEach(plot => {
+  const points = [...plot.querySelectorAll('.point')], topic = plot.closest('figure').dataset.topic;
+  points.forEach((point, i) => {
+    point.dataset.key = topic + '-' + point.dataset.row;
+    point.tabIndex = i ? -1 : 0;
+    point.setAttribute('role', 'button');
+    point.setAttribute('aria-label', point.querySelector('title').textContent);
+    point.addEventListener('mouseenter', () => show(point.dataset.key));
+    point.addEventListener('mouseleave', () => show(kept));
+    point.addEventListener('focus', () => { if (point.matches(':focus-visible')) show(point.dataset.key); });
+    point.addEventListener('blur', () => show(kept));
+    point.addEventListener('keydown', event => {
+      const way = {ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1}[event.key];
+      if (!way || !points[i + way]) return;
+      event.preventDefault();
+      point.tabIndex = -1, points[i + way].tabIndex = 0;
+      points[i + way].focus();
+    });
+  });
+});
 document.querySelectorAll('tr[data-key]').forEach(row => { row.tabIndex = 0; });
 document.querySelectorAll('[data-key]').forEach(element => {
   element.addEventListener('click', () => keep(element.dataset.key));

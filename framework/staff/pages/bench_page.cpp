@@ -77,28 +77,40 @@ public:
     Fields fields() const {
         const measure::BenchTopic& topic = *result_.topic;
         const measure::BenchMachine& machine = result_.machine;
-        List scenes;
-        for (const std::vector<size_t>& scene : measure::scenes_of(result_.rows)) scenes.push_back(table(scene));
         const std::vector<size_t> chief = measure::chief_scene(result_.rows);
+        List scenes;
+        Value chief_plot;
+        for (const std::vector<size_t>& scene : measure::scenes_of(result_.rows)) {
+            Fields fields = table(scene);
+            const Value plot = plot_of(scenes.size());
+            (scene == chief ? chief_plot : fields["plot"]) = plot;
+            scenes.emplace_back(std::move(fields));
+        }
         const size_t count = scenes.size();
         return {{"name", topic.name},
                 {"help", topic.help},
                 {"question", topic.question},
                 {"answer", measure::answer_of(result_.rows, chief)},
                 {"chief_scene", chief.empty() ? "" : measure::knob_text(result_.rows[chief.front()].scene)},
-                {"chief", drawing(result_.chief)},
-                {"chief_narrow", drawing(result_.chief_narrow)},
+                {"chief", std::move(chief_plot)},
+                {"quick", machine.is_quick},
                 {"all", count == 1 ? "All figures" : fmt::format("All {} scenes", count)},
                 {"renderer", machine.renderer},
                 {"cpu", machine.cpu},
                 {"clock", topic.sweeps ? "" : machine.clock},
                 {"compiler", machine.compiler},
                 {"commit", machine.commit},
-                {"plot", count > 1 || result_.chief.empty() ? drawing(result_.plot) : ""},
                 {"scenes", std::move(scenes)}};
     }
 
 private:
+    /// Returns both plots of a scene, or nothing.
+    Value plot_of(size_t scene) const {
+        if (scene >= result_.scenes.size() || result_.scenes[scene].broad.empty()) return {};
+        return Fields{{"broad", drawing(result_.scenes[scene].broad)},
+                      {"narrow", drawing(result_.scenes[scene].narrow)}};
+    }
+
     Fields table(const std::vector<size_t>& scene) const {
         std::vector<std::string> works = works_of(result_.rows, scene);
         const std::string same = take_same(result_.rows, scene, works);
@@ -113,6 +125,7 @@ private:
         const std::vector<size_t> front = measure::front_of(result_.rows, scene);
         for (const size_t place : scene) methods.push_back(line(place, columns, front));
         return {{"scene", measure::knob_text(result_.rows[scene.front()].scene)},
+                {"plot", Value()},
                 {"same", same},
                 {"headings", std::move(headings)},
                 {"has_pictures", has_pictures},
@@ -255,13 +268,25 @@ bool draw_plots(TopicResult& result) {
     const auto all = measure::bench_plot(*result.topic, result.rows, result.machine);
     if (!all) return false;
     result.plot = *all;
-    const std::vector<size_t> chief = measure::chief_scene(result.rows);
-    if (result.plot.empty() || chief.empty()) return true;
-    const auto draw = [&](const measure::PanelStyle& style, const char* name) {
-        return measure::scene_plot(*result.topic, result.rows, chief, style, result.topic->name + name).value_or("");
-    };
-    result.chief = draw({.size = {1100, 600}, .title = 17, .axes = 15, .names = 14, .all_names = true}, "-chief");
-    result.chief_narrow = draw({.size = {420, 480}, .title = 14, .axes = 13, .names = 12}, "-narrow");
+    if (result.plot.empty()) return true;
+    const std::string note = result.machine.is_quick ? "quick run" : "";
+    for (const std::vector<size_t>& scene : measure::scenes_of(result.rows)) {
+        const auto draw = [&](const measure::PanelStyle& style, const char* kind) {
+            return measure::scene_plot(*result.topic, result.rows, scene, style,
+                                       fmt::format("{}-{}{}", result.topic->name, result.scenes.size(), kind));
+        };
+        // Wide plots are shown at 0.8 of their size or larger, narrow ones at 0.95 or larger.
+        const auto broad = draw({.size = {1100, 600},
+                                 .title = 18,
+                                 .axes = 18,
+                                 .names = 18,
+                                 .all_names = true,
+                                 .direct_names = true,
+                                 .note = note},
+                                "-broad"),
+                   narrow = draw({.size = {324, 400}, .title = 15, .axes = 15, .names = 15, .note = note}, "-narrow");
+        result.scenes.push_back({broad.value_or(""), narrow.value_or("")});
+    }
     return true;
 }
 
@@ -276,7 +301,7 @@ std::string bench_page(std::span<const TopicResult> results, const PutPicture& p
     }
     List topics;
     for (const Section& section : sections) topics.push_back(Fields{{"name", section.name}, {"section", section.text}});
-    return render({.title = "Relief: run time against error",
+    return render({.title = "Relief: speed and error",
                    .body = "framework/staff/pages/bench",
                    .styles = {"framework/staff/pages/bench"},
                    .scripts = {"framework/staff/pages/bench"},

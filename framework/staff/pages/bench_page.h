@@ -1,5 +1,5 @@
-// The page of `relief bench`: the question, answer and plot of each topic, then all scenes, tables, and pictures of
-// measured points.
+// The page of `relief bench`: the question, answer and plot of each topic, then all scenes with their plots and
+// tables, and pictures of measured points.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,12 @@ struct TopicResult {
     const measure::BenchTopic* topic = nullptr;
     std::vector<measure::BenchRow> rows;
     measure::BenchMachine machine;
-    std::string plot;                 ///< all scenes, small, as SVG; empty without gnuplot
-    std::string chief, chief_narrow;  ///< the scene that answers the topic's question, for wide and for narrow screens
+    std::string plot;  ///< all scenes, for a file, as SVG; empty without gnuplot
+    /// The plots of a scene for wide and for narrow screens.
+    struct ScenePlot {
+        std::string broad, narrow;
+    };
+    std::vector<ScenePlot> scenes;
 };
 
 /// Draws the topic's plots. Returns false without gnuplot.

@@ -1,25 +1,19 @@
-// Shows the mistakes that match the words in the filter and the chosen lab.
-const filter = document.querySelector(".filter");
-const words = filter.querySelector("input"), lab = filter.querySelector("select");
-const all = [...document.querySelectorAll("article")];
+// Shows the mistakes that match the words in the filter. Left and right go to the neighbours of the shown mistake.
+const main = document.querySelector("main"), filter = document.querySelector(".filter");
+const words = filter.querySelector("input"), all = [...document.querySelectorAll(".index li")];
+const has_one_lab = main.classList.contains("named");
 const show = () => {
   const wanted = words.value.toLowerCase().split(/\s+/);
-  let count = 0;
-  for (const one of all) {
-    const text = one.dataset.words.toLowerCase();
-    one.hidden = !wanted.every(word => text.includes(word)) ||
-      (lab.value && one.closest("section[data-lab]").dataset.lab != lab.value);
-    count += !one.hidden;
-  }
-  for (const part of document.querySelectorAll("main section"))
-    part.hidden = ![...part.querySelectorAll("article")].some(one => !one.hidden);
-  filter.querySelector("output").textContent = `${count} of ${all.length} shown`;
+  for (const one of all) one.hidden = !wanted.every(word => one.dataset.words.toLowerCase().includes(word));
+  for (const part of document.querySelectorAll("section, .task")) part.hidden = !part.querySelector("li:not([hidden])");
+  main.classList.toggle("named", has_one_lab || words.value.trim() != "");
+  filter.querySelector("output").textContent = `${all.filter(one => !one.hidden).length} of ${all.length} shown`;
 };
 words.addEventListener("input", show);
-lab.addEventListener("change", show);
-// Opens all differences for printing: nobody can open them on paper.
-const differences = [...document.querySelectorAll("details.difference:not([open])")];
-addEventListener("beforeprint", () => differences.forEach(one => one.open = true));
-addEventListener("afterprint", () => differences.forEach(one => one.open = false));
+addEventListener("keydown", event => {
+  const way = {ArrowLeft: "prev", ArrowRight: "next"}[event.key];
+  if (!way || event.altKey || event.ctrlKey || event.metaKey || event.target.matches("input, pre")) return;
+  document.querySelector(`article:target [rel=${way}]`)?.click();
+});
 filter.hidden = false;
 show();

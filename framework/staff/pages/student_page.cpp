@@ -93,8 +93,10 @@ private:
                                            : Value()}};
     }
 
-    /// Returns the check's hint, unless an earlier failed check of the task has shown the same one.
+    /// Returns the check's hint, unless an earlier failed check of the task has shown the same one, or the hint of a
+    /// known mistake stands above.
     static std::string first_hint(const grade::TaskMark& task, const grade::CheckMark& check) {
+        if (!task.hint.empty() && check.outcome == check::Outcome::wrong && !check.hidden) return {};
         for (const grade::CheckMark* other = &task.checks.front(); other != &check; ++other)
             if (other->outcome != check::Outcome::passed && other->look_at == check.look_at) return {};
         return check.look_at;
@@ -102,10 +104,15 @@ private:
 
     /// Returns the fields of a check that a student may see without its views.
     static Fields secret(const grade::TaskMark& task, const grade::CheckMark& check) {
-        return {{"open", check.outcome != check::Outcome::passed},
-                {"badge", badge(check.outcome)},
-                {"name", check.hidden ? "a" : check.name},
-                {"hidden", check.hidden},
+        const bool passed = check.outcome == check::Outcome::passed;
+        Fields outcome = badge(check.outcome);
+        if (check.hidden && passed) outcome["words"] = "hidden check: passed";
+        return {{"open", !passed},
+                {"badge", std::move(outcome)},
+                {"name", !check.hidden ? check.name
+                         : passed      ? ""
+                                       : "hidden check"},
+                {"hidden", false},
                 {"hidden_view", false},
                 {"said", ""},
                 {"facts",

@@ -7,6 +7,8 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/target.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/lab/words.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -162,6 +164,30 @@ TEST(Shot, AFloatPictureHoldsLinearLight) {
     ASSERT_EQ(light.bits, 32);
     EXPECT_NEAR(light.pixel(0, 0)[0], std::pow((0.5 + 0.055) / 1.055, 2.4), 1e-6);
     EXPECT_GT(light.pixel(0, 0)[1], 1.0f) << "nothing is clipped";
+}
+
+/// Draws a word over the left half.
+class Labelled final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        LeftHalf({0, 1, 0, 1}).draw(frame);
+        labels_.text("word", {1, 1}, 6);
+        labels_.draw(frame);
+    }
+
+private:
+    Labels labels_;
+};
+
+TEST(Shot, HasNoWordsWhileWithoutWordsExists) {
+    Labelled lab;
+    const Image plain = take_left_half({0, 1, 0, 1}, small), labelled = render_shot(lab, small);
+    EXPECT_NE(labelled.values, plain.values);
+    {
+        const WithoutWords no_words;
+        EXPECT_EQ(render_shot(lab, small).values, plain.values);
+    }
+    EXPECT_EQ(render_shot(lab, small).values, labelled.values);
 }
 
 TEST(Shot, LeavesNoObjectBehind) {

@@ -188,9 +188,10 @@ struct Page {
     std::filesystem::path file = folder.path() / "index.html";
     const measure::BenchTopic topic{"parallax", "searches & more", "question?", {}};
 
-    Page() {
+    explicit Page(bool is_quick = false) {
         pages::TopicResult result;
-        result.topic = &topic, result.machine = {.cpu = "<b>CPU</b>", .renderer = "llvmpipe"};
+        result.topic = &topic;
+        result.machine = {.cpu = "<b>CPU</b>", .renderer = "llvmpipe", .is_quick = is_quick};
         for (const auto& [method, time, error] :
              {std::tuple{"quick", 1e6, 1.}, {"good", 4e6, 0.01}, {"dominated", 5e6, 0.5}, {"<exact>", 9e6, 0.}}) {
             measure::BenchRow& row = result.rows.emplace_back();
@@ -277,8 +278,7 @@ TEST(BenchPage, LabelsNeverOverlapInWideOrNarrowPlots) {
 TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     const Page page;
     browser().open(page.file);
-    EXPECT_EQ(browser().eval("document.querySelectorAll('figure.small .point').length"), 5)
-        << "what has crashed has none";
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.broad .point').length"), 5) << "what has crashed has none";
     EXPECT_EQ(browser().eval(is_shown), false);
     browser().eval("document.querySelector('.point[data-row=\"1\"]').dispatchEvent(new MouseEvent('mouseenter')), 0");
     EXPECT_EQ(browser().eval(is_shown), true);
@@ -293,6 +293,52 @@ TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     browser().press("Escape");
     EXPECT_EQ(browser().eval(is_shown), false);
     EXPECT_TRUE(browser().complaints().empty());
+}
+
+TEST(BenchPage, APlotIsOneTabStopAndArrowsGoFromPointToPoint) {
+    const Page page;
+    browser().open(page.file);
+    ASSERT_TRUE(browser().tab_to("figure .point"));
+    EXPECT_EQ(browser().eval(is_shown), true);
+    const std::string first = words();
+    browser().press("ArrowRight");
+    EXPECT_NE(words(), first);
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-label') == "
+                             "document.activeElement.querySelector('title').textContent"),
+              true);
+    browser().press("Tab");
+    EXPECT_EQ(browser().eval("document.activeElement.matches('.point')"), false);
+}
+
+TEST(BenchPage, PlotsHaveLettersOf14PixelsOnScreensAndPhones) {
+    const Page one;
+    const CrowdedPage many;
+    for (const std::filesystem::path& page : {one.file, many.file})
+        for (const int width : {1440, 1024, 768, 390}) {
+            browser().open(page);
+            browser().width(width);
+            browser().eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
+            const nlohmann::json sizes = browser().eval(R"((() => {
+                const words = [...document.querySelectorAll('figure svg text')]
+                    .filter(one => one.textContent.trim() && one.getBoundingClientRect().width > 0);
+                return words.map(one => Math.hypot(one.getScreenCTM().a, one.getScreenCTM().b) *
+                    parseFloat(getComputedStyle(one).fontSize));
+            })())");
+            ASSERT_GT(sizes.size(), 20u) << width;
+            EXPECT_GE(*std::min_element(sizes.begin(), sizes.end()), 13.99) << width;
+            browser().width(0);
+        }
+}
+
+TEST(BenchPage, SaysThatARunWasQuickInThePlotItself) {
+    const Page slow(false), quick(true);
+    for (const Page* page : {&slow, &quick}) {
+        browser().open(page->file);
+        EXPECT_EQ(browser().eval("document.querySelectorAll('.broad, .narrow').length"), 4);
+        EXPECT_EQ(browser().eval("[...document.querySelectorAll('.broad, .narrow')].filter(one => "
+                                 "one.textContent.includes('quick run')).length"),
+                  page == &quick ? 4 : 0);
+    }
 }
 
 TEST(BenchPage, MarksTheFrontListsSharedValuesAndReportsFailures) {

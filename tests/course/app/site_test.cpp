@@ -93,7 +93,10 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         browser().open(page);
         EXPECT_TRUE(browser().load_images()) << page;
         if (ours) {
-            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout"), 0) << page;
+            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout") +
+                          (page.stem() == "accessibility"),
+                      0)
+                << page;
             EXPECT_EQ(browser().eval("[...document.images].filter(image => image.hasAttribute('width') && "
                                      "!image.src.endsWith('.svg') && "
                                      "image.getAttribute('width') != image.naturalWidth).map(image => image.src)"),
@@ -132,8 +135,8 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         EXPECT_EQ(browser().complaints(), Names{}) << page;
     }
     for (const auto& place : places) EXPECT_TRUE(ids.contains(place)) << place.first << "#" << place.second;
-    // The first page, a page and a handout for each lab, a deck, the measurements.
-    EXPECT_EQ(pages.size(), 1 + 2 * labs().size() + 2);
+    // The first page, accessibility, a page and a handout for each lab, a deck, the measurements.
+    EXPECT_EQ(pages.size(), 2 + 2 * labs().size() + 2);
     EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
 }
 
@@ -148,16 +151,42 @@ TEST_F(Site, TheFirstPageListsEveryLabWithItsPointsAndExistingSlides) {
     EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h3')].map(one => one.textContent)")), titles);
     EXPECT_EQ(browser().eval("document.querySelectorAll('section > h2').length"), 3);
     EXPECT_EQ(browser().eval("document.querySelectorAll('.hero img').length"), 1);
-    EXPECT_EQ(
-        Names(browser().eval("[...document.querySelectorAll('article li:not(.links *)')].map(one => one.textContent)")),
-        learns);
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('article li')].map(one => one.textContent)")),
+              learns);
     EXPECT_EQ(browser().eval("document.querySelector('.sum').textContent"),
               std::to_string(labs().size()) + "labs" +
                   std::string(browser().eval("document.querySelectorAll('.sum b')[1].textContent")) + "tasks" +
                   std::to_string(points) + "points");
-    EXPECT_EQ(Names(browser().eval("[...document.links].filter(link => link.textContent == 'Slides').map(link => "
-                                   "link.getAttribute('href'))")),
-              Names{"slides/01_specular_highlights.html"});
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('header .links a')].map(link => link.textContent)")),
+              (Names{"Begin here: " + titles.front(), "Speed and error"}));
+    Names decks;
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        for (const std::string& deck : Names(browser().eval("[...document.links].filter(link => link.textContent == "
+                                                            "'Slides').map(link => link.getAttribute('href'))")))
+            decks.push_back(deck);
+    }
+    EXPECT_EQ(decks, Names{"slides/01_specular_highlights.html"});
+}
+
+TEST_F(Site, OnTheFirstPageACardIsOneTabStopAndALinkSkipsToTheCards) {
+    open("index.html");
+    EXPECT_EQ(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(card => "
+                             "card.querySelectorAll('a, button, [tabindex]').length))"),
+              1);
+    browser().press("Tab");
+    EXPECT_EQ(browser().eval("document.activeElement.textContent"), "Skip to the labs");
+    EXPECT_EQ(browser().eval("document.activeElement.getBoundingClientRect().top > 0"), true) << "visible with focus";
+    browser().press("Enter");
+    browser().press("Tab");
+    EXPECT_EQ(browser().eval("document.activeElement.closest('article').id"), "lab-01");
+    // A click anywhere on a card opens the lab.
+    browser().eval("document.querySelector('article img').scrollIntoView({block: 'center'})");
+    EXPECT_EQ(
+        browser().eval("(() => { const box = document.querySelector('article img').getBoundingClientRect(); return "
+                       "document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2)"
+                       ".getAttribute('href'); })()"),
+        "01_specular_highlights.html");
 }
 
 TEST_F(Site, TheKeyboardMovesTheWipeBetweenTwoMethods) {
@@ -238,9 +267,9 @@ TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
     EXPECT_GE(measured, 10);
 }
 
-TEST_F(Site, AxeFindsNothingOnTheCoursePageALabsPageAndAHandout) {
-    for (const char* page : {"index.html", "10_parallax_offset.html", "10_parallax_offset-handout.html",
-                             "17_time_and_error-handout.html"}) {
+TEST_F(Site, AxeFindsNothingOnAPageOfEachKind) {
+    for (const char* page : {"index.html", "accessibility.html", "10_parallax_offset.html",
+                             "10_parallax_offset-handout.html", "17_time_and_error-handout.html"}) {
         open(page);
         EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
     }
@@ -264,8 +293,11 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
             "[...document.querySelectorAll('.methods .picture')].map(image => "
             "decodeURI(image.src).slice(7))");
         ASSERT_GE(files.size(), 2u) << lab;
-        const Image first = read_image(files.front()), last = read_image(files.back());
-        EXPECT_GT(difference(first, last, 8.0 / 255).pixels_over, first.pixel_count() / 200) << lab;
+        // Not each of them: lab 17's method within a budget of a pixel looks like the exact one.
+        const Image last = read_image(files.back());
+        EXPECT_TRUE(std::any_of(files.begin(), files.end() - 1, [&](const std::string& file) {
+            return difference(read_image(file), last, 8.0 / 255).pixels_over > last.pixel_count() / 200;
+        })) << lab;
         const std::optional<CompareInfo> compare = manifest(lab).compare;
         ASSERT_TRUE(compare) << lab;
         EXPECT_EQ(size_t(browser().eval("document.querySelectorAll('.methods .map').length")),
@@ -280,68 +312,141 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
     EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
 }
 
-TEST(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
-    const TemporaryFolder folder;
-    const std::string lab = "02_normal_map_storage";
-    const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});
-    ASSERT_EQ(made.code, 0) << made.err;
-    const Manifest manifest = load_manifest(fs::path(source_folder) / "labs" / lab / "lab.toml");
-    browser().open(folder.path() / "index.html");
+/// The page of lab 02's mistakes.
+class MistakesPage : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder_ = std::make_unique<TemporaryFolder>();
+        made_ = run({relief_program(), "mistakes", "2", "-o", folder_->path().string()});
+    }
+    static void TearDownTestSuite() { folder_.reset(); }
+    void SetUp() override {
+        ASSERT_EQ(made_.code, 0) << made_.err;
+        for (const MistakeInfo& mistake :
+             load_manifest(fs::path(source_folder) / "labs/02_normal_map_storage/lab.toml").mistakes)
+            ids_.push_back(mistake.id);
+        std::sort(ids_.begin(), ids_.end());
+        open();
+    }
+    static void open(const std::string& place = "") {
+        browser().open_address("about:blank");  // a change of the place alone loads nothing
+        browser().open_address("file://" + (folder_->path() / "index.html").string() + place);
+    }
+    static Names texts(const std::string& selector) {
+        Names found = browser().eval("[...document.querySelectorAll(" + json(selector).dump() +
+                                     ")].filter(one => one.checkVisibility()).map(one => one.textContent)");
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    Names ids_;
+
+private:
+    static inline std::unique_ptr<TemporaryFolder> folder_;
+    static inline Result made_;
+};
+
+TEST_F(MistakesPage, StartsWithAPictureOfEachMistakeAndLoadsThoseInView) {
+    EXPECT_EQ(texts(".index a span"), ids_);
+    EXPECT_EQ(texts("article h2 code"), Names{});
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.index img').length"), json(ids_.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('img:not([loading=lazy])').length"), 0);
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('.difference img')].filter(one => one.complete).length"), 0)
+        << "nothing shows them";
+    EXPECT_LT(int(browser().eval("document.documentElement.scrollHeight")), 2500);
+}
+
+TEST_F(MistakesPage, ShowsOneMistakeAScreen) {
+    browser().call("Emulation.setDeviceMetricsOverride",
+                   {{"width", 1440}, {"height", 900}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    for (const std::string& id : ids_) {
+        open("#02-" + id);
+        EXPECT_EQ(texts("article h2 code"), Names{id});
+        EXPECT_EQ(texts(".index a span"), Names{});
+        EXPECT_LE(int(browser().eval("document.documentElement.scrollHeight")), 900) << id;
+    }
+    browser().width(0);
+}
+
+TEST_F(MistakesPage, LinksAndArrowsGoToTheNeighbours) {
+    open("#02-times-256");
+    EXPECT_EQ(texts("article [rel]"), (Names{"Next →", "← Previous"}));
+    browser().press("ArrowRight");
+    EXPECT_EQ(texts("article h2 code"), Names{"decoded-without-shift"});
+    ASSERT_TRUE(browser().tab_to("article:target .wipe input"));
+    browser().press("ArrowRight");
+    EXPECT_EQ(texts("article h2 code"), Names{"decoded-without-shift"}) << "the wipe keeps its keys";
+    EXPECT_EQ(browser().eval("document.activeElement.value"), "1");
+    browser().press("End");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
+    open("#02-decoded-without-shift");
+    browser().press("ArrowLeft", 2);
+    EXPECT_EQ(texts("article h2 code"), Names{"truncated"});
+    EXPECT_EQ(texts("article [rel]"), Names{"Next →"});
+    browser().eval("document.querySelector('article:target [href=\"#lab-02\"]').click()");
+    EXPECT_EQ(texts(".index a span"), ids_);
+}
+
+TEST_F(MistakesPage, WorksWithoutScripts) {
+    browser().scripts(false);
+    open();
+    EXPECT_EQ(texts(".index a span"), ids_);
+    EXPECT_EQ(texts(".filter label"), Names{});
+    open("#02-truncated");
+    EXPECT_EQ(texts("article h2 code"), Names{"truncated"});
+    browser().scripts(true);
+}
+
+TEST_F(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
     EXPECT_TRUE(browser().load_images());
-    Names ids;
-    for (const MistakeInfo& mistake : manifest.mistakes) ids.push_back(mistake.id);
-    Names shown = browser().eval("[...document.querySelectorAll('h4 code')].map(one => one.textContent)");
-    std::sort(ids.begin(), ids.end()), std::sort(shown.begin(), shown.end());
-    EXPECT_EQ(shown, ids);
     // Both pictures are stacked, and they differ visibly.
     const Names files = browser().eval(
         "[...document.querySelectorAll('article')].map(one => [...one.querySelectorAll("
         "'.laid img')].map(image => decodeURI(image.src).slice(7))).flat()");
-    ASSERT_EQ(files.size(), 2 * ids.size());
+    ASSERT_EQ(files.size(), 2 * ids_.size());
     for (size_t i = 0; i < files.size(); i += 2)
         EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
     const Names maps = browser().eval(
         "[...document.querySelectorAll('article figure.difference img')].map(image => decodeURI(image.src).slice(7))");
-    EXPECT_EQ(maps.size(), ids.size());
+    EXPECT_EQ(maps.size(), ids_.size());
     for (const std::string& map : maps) {
         const Image picture = read_image(map);
         EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 0.5)
             << map << " shows no difference";
     }
-    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids_.size()));
     EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
-    browser().eval("dispatchEvent(new Event('beforeprint')), 0");
-    EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
-    EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
     browser().paper(true);
+    EXPECT_EQ(texts("article h2 code"), ids_);
     EXPECT_LT(
         int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")), 480)
         << "two mistakes on a sheet, each of them whole";
     browser().paper(false);
-    browser().eval("dispatchEvent(new Event('afterprint')), 0");
-    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0);
+}
+
+TEST_F(MistakesPage, IsFilteredByWords) {
     ASSERT_TRUE(browser().tab_to("input[type=search]"));
     browser().type("truncated 2.1");
     EXPECT_EQ(browser().eval("document.querySelector('output').textContent"),
-              "1 of " + std::to_string(ids.size()) + " shown");
-    EXPECT_EQ(
-        browser().eval("[...document.querySelectorAll('article')].filter(one => one.checkVisibility()).map(one => "
-                       "one.querySelector('h4').textContent).join()"),
-        "truncated");
-    ASSERT_TRUE(browser().tab_to(".wipe input"));
-    browser().press("End");
-    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
-    for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
-    for (const bool dark : {false, true}) {
-        browser().dark(dark);
-        EXPECT_EQ(browser().faint_texts(), Names{}) << dark;
+              "1 of " + std::to_string(ids_.size()) + " shown");
+    EXPECT_EQ(texts(".index a span"), Names{"truncated"});
+}
+
+TEST_F(MistakesPage, IsLegibleForEverybody) {
+    for (const char* place : {"", "#lab-02", "#02-truncated"}) {
+        open(place);
+        for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
+        for (const bool dark : {false, true}) {
+            browser().dark(dark);
+            EXPECT_EQ(browser().faint_texts(), Names{}) << place << dark;
+        }
+        browser().dark(false);
+        browser().width(360);
+        EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << place;
+        browser().width(0);
+        EXPECT_EQ(browser().complaints(), Names{}) << place;
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << place;
     }
-    browser().dark(false);
-    browser().width(360);
-    EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{});
-    browser().width(0);
-    EXPECT_EQ(browser().complaints(), Names{});
-    EXPECT_EQ(browser().accessibility_faults(), Names{});
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <map>
 
 #include "framework/core/base/text.h"
+#include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/peers.h"
+#include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/topics.h"
 #include "tests/support.h"
 
@@ -151,6 +153,46 @@ TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
     for (const char* part :
          {"what it is about", "one", "threads=2", "ns/texel", "4.5", "mean degree", "0.125", "failed: no such map"})
         EXPECT_TRUE(contains(table, part)) << part;
+}
+
+/// A row with a median time, its spread to both sides, and a mean error.
+BenchRow timed_row(const char* method, double median, double spread, double error) {
+    BenchRow row;
+    row.topic = "parallax", row.method = method, row.item = "frame", row.state = "measured", row.repeats = 15;
+    row.times = {median, median - spread, median + spread};
+    row.error = {error, error, error, "texel", {}};
+    return row;
+}
+
+std::string answer_of_all(const std::vector<BenchRow>& rows) { return answer_of(rows, scenes_of(rows).front()); }
+
+TEST(BenchAnswer, CallsMethodsWithOverlappingTimesAboutEqual) {
+    const std::string text = answer_of_all({timed_row("linear-16", 1.0e6, 1e5, 0.5),
+                                            timed_row("linear-8", 1.1e6, 1e5, 1), timed_row("exact", 3e6, 1e5, 0)});
+    EXPECT_TRUE(contains(text, "The fastest: linear-16 (1 ms, mean error 0.5 texels). About as fast: linear-8."))
+        << text;
+    EXPECT_TRUE(contains(text, "The most accurate: exact (3 ms, mean error 0 texels), 3 times as long.")) << text;
+}
+
+TEST(BenchAnswer, ComparesTimesThatDoNotOverlap) {
+    const std::string text =
+        answer_of_all({timed_row("linear-16", 1.0e6, 1e4, 0.5), timed_row("linear-8", 0.9e6, 1e4, 1)});
+    EXPECT_TRUE(contains(text, "The fastest: linear-8")) << text;
+    EXPECT_FALSE(contains(text, "About as fast")) << text;
+    const std::string equal = answer_of_all({timed_row("a", 1.0e6, 1e5, 0.5), timed_row("b", 1.1e6, 1e5, 0.4)});
+    EXPECT_TRUE(contains(equal, "The most accurate: b (1.1 ms, mean error 0.4 texels), about as long.")) << equal;
+}
+
+TEST(BenchAnswer, OfEqualErrorsTheFastestIsTheMostAccurate) {
+    const std::string text = answer_of_all({timed_row("windows", 1e6, 1e4, 0.0000218), timed_row("quick", 5e5, 1e4, 1),
+                                            timed_row("max-mips", 2e6, 1e4, 0.00002179)});
+    EXPECT_TRUE(contains(text, "The most accurate: windows")) << text;
+}
+
+TEST(BenchAnswer, OfTimesAloneNamesNoFastestWithinTheSpread) {
+    std::vector<BenchRow> rows = {timed_row("a", 1.0e6, 1e5, 0), timed_row("b", 1.1e6, 1e5, 0)};
+    for (BenchRow& row : rows) row.error = {};
+    EXPECT_EQ(answer_of_all(rows), "All 2 methods take about as long: 1 ms to 1.1 ms a frame.");
 }
 
 TEST(BenchTopics, HaveMethodsThatRunAndMeasureErrors) {

@@ -198,9 +198,20 @@ TEST(BenchPlot, LabelsEveryPoint) {
         EXPECT_TRUE(contains(*plot, "<title>parallax, map=bricks, "s + name + ", squares=4 x 4</title>")) << name;
     EXPECT_TRUE(contains(*plot, "class=\"point\" data-row=\"3\""));
     EXPECT_FALSE(contains(*plot, "gnuplot_svg")) << "no script that is not there";
-    EXPECT_TRUE(contains(*plot, "A &lt;CPU>"));
     EXPECT_TRUE(contains(*plot, "<title>Which &amp; why?</title>"));
     EXPECT_FALSE(contains(*plot, "<title>Gnuplot")) << "a screen reader would say so";
+}
+
+TEST(BenchPlot, OfSeveralScenesNamesTheMachineAndAQuickRun) {
+    std::vector<BenchRow> rows = timed_rows();
+    for (BenchRow row : timed_rows()) rows.push_back(row), rows.back().scene = {{"map", "posts"}};
+    for (const bool is_quick : {false, true}) {
+        const auto plot = bench_plot({"parallax", "help", "question?", {}}, rows,
+                                     {.cpu = "A <CPU>", .renderer = "llvmpipe", .is_quick = is_quick});
+        ASSERT_TRUE(plot);
+        EXPECT_TRUE(contains(*plot, "A &lt;CPU>"));
+        EXPECT_EQ(contains(*plot, "quick run"), is_quick);
+    }
 }
 
 TEST(BenchPlot, DrawsBarsIfThereAreOnlyTimes) {
