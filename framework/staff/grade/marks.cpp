@@ -253,9 +253,11 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         if (kept && verdict.said.outcome != check::Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
     }
     const std::vector<check::TaskIds> first = check::put_right_first(manifest(), said);
-    const std::vector<std::string> all_hints = check::hints(manifest(), said, first);
+    std::vector<check::TaskIds> first_of_mixed = first;  // a task alone among solutions waits for no other
     for (size_t i = 0; i < marks.size(); ++i)
-        marks[i].look_at = verdicts[i].is_own ? check::hint_of(checks[i], said[i]) : all_hints[i];
+        if (verdicts[i].is_own) first_of_mixed[i].clear();
+    const std::vector<std::string> hints = check::hints(manifest(), said, first_of_mixed);
+    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = hints[i];
     lab.tasks = task_marks(marks);
     if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, first, said, is_drawn);
     return lab;
