@@ -231,34 +231,6 @@ TEST(ReliefExact, ABallAndThreeReliefsIntersectWhereTheExactSurfacesDo) {
     }
 }
 
-// The near plane is at a fiftieth of the camera's distance. At 89.9 degrees it cuts off three quarters of the wall.
-TEST(Reliefs, HaveExactValuesOnlyBehindTheNearPlane) {
-    const auto surfaces = [](const char* lab_name, std::vector<Knob> knobs, const char* probe) {
-        Shot shot = shot_of(lab_name, std::move(knobs), probe, {100, 100});
-        shot.camera = {.yaw = 89.9, .pitch = 0, .distance = 1, .target = {}};
-        const auto lab = make_lab(find_lab(lab_name), shot);
-        const Image drawn = render_shot(*lab, shot), truth = truth_of(*lab, shot);
-        size_t pixels = 0;
-        for (size_t i = 0; i < drawn.values.size(); i += 4) pixels += std::isfinite(drawn.values[i]);
-        return std::pair(one_sided(drawn, truth).count(), pixels);
-    };
-    const std::vector<Knob> one_wall = {{"view", "one"}, {"surface", "wall"}},
-                            flat_wall = {{"view", "one"}, {"surface", "wall"}, {"map", "high"}},
-                            long_wall = {{"view", "picture"}, {"method", "exact"}};
-    for (const auto& [lab_name, knobs, probe] : {std::tuple("10", one_wall, "uv"),
-                                                 {"10", one_wall, "depth"},
-                                                 {"11", one_wall, "uv"},
-                                                 {"11", one_wall, "depth"},
-                                                 {"12", one_wall, "uv"},
-                                                 {"12", one_wall, "depth"},
-                                                 {"13", flat_wall, "depth"},
-                                                 {"17", long_wall, "uv"}}) {
-        const auto [in_one, all] = surfaces(lab_name, knobs, probe);
-        EXPECT_LE(in_one, all / 100) << lab_name << ", " << probe << ": an outline differs by a rounding";
-        EXPECT_TRUE(all > 500 && all < 2500) << lab_name << ", " << probe << ": " << all << " of 5000";
-    }
-}
-
 TEST(ReliefExact, WritingDepthAndCuttingTheOutlineChangeThePicture) {
     const auto near = [](std::vector<Knob> knobs) {
         Shot shot = shot_of("12", std::move(knobs), "depth");

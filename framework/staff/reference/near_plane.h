@@ -13,4 +13,9 @@ inline double near_plane(const glm::dmat4& clip_from_world, const Ray& ray) {
     return -(eye.z + eye.w) / (way.z + way.w);
 }
 
+/// Returns the part of a camera's ray that is drawn: it begins at the near plane.
+inline Ray drawn_part(const glm::dmat4& clip_from_world, const Ray& ray) {
+    return {ray.at(near_plane(clip_from_world, ray)), ray.direction};
+}
+
 }  // namespace relief
