@@ -99,7 +99,7 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     if (own.outcome != check::Outcome::passed || !views_.has_hidden(check)) return {own};
     const check::Judgement hidden = views_.judge(views_.hidden(check, drawn));
     if (hidden.outcome == check::Outcome::passed) return {own};
-    return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
+    return {{hidden.outcome, "correct in the check's own view; in a hidden one: " + hidden.found}, true};
 }
 
 /// Lets a mistake cost points only in its own task. A task is drawn again with the solutions of all other tasks if
