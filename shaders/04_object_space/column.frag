@@ -9,7 +9,7 @@
 in vec3 v_world;
 in vec3 v_rest;
 in vec2 v_uv;
-#ifdef TANGENT_MAP
+#if defined TANGENT_MAP || defined PROBE_moved
 in vec3 v_tangent;
 in vec3 v_bitangent;
 #endif
@@ -37,6 +37,9 @@ vec3 surface_normal() {
 //)
 
 void main() {
+#ifdef PROBE_moved
+    o_color = probed(vec4(twist_jacobian(v_rest, u_rate) * (v_tangent + v_bitangent), 0.0));
+#else
     vec3 normal = surface_normal();
 #ifdef PROBE_normal
     o_color = probed(vec4(normal, 0.0));
@@ -45,5 +48,6 @@ void main() {
     vec3 light = albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.22, 0.25, 0.30), 0.5 + 0.5 * normal.y);
     light += vec3(1.15, 1.05, 0.92) * blinn_phong(albedo, 0.09, 50.0, normal, to_light, to_eye);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
+#endif
 #endif
 }

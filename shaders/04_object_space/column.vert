@@ -15,7 +15,7 @@ uniform float u_rate;  // of the twist, radians per metre
 out vec3 v_world;
 out vec3 v_rest;  // position before the twist
 out vec2 v_uv;
-#ifdef TANGENT_MAP
+#if defined TANGENT_MAP || defined PROBE_moved
 out vec3 v_tangent;
 out vec3 v_bitangent;
 #endif
@@ -27,7 +27,7 @@ void main() {
     v_world = world.xyz;
     v_rest = a_position;
     v_uv = a_uv;
-#ifdef TANGENT_MAP
+#if defined TANGENT_MAP || defined PROBE_moved
     v_tangent = a_tangent.xyz;
     v_bitangent = a_tangent.w * cross(a_normal, a_tangent.xyz);
 #endif

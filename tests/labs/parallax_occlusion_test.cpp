@@ -46,7 +46,7 @@ public:
         const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
         for (int y = 0; y < shot.size.y; ++y)
             for (int x = 0; x < shot.size.x; ++x) {
-                const auto sight = sights.look(frame.ray(x, y), mapping);
+                const auto sight = sights.look(frame.ray(x, y), mapping, 0);
                 if (!sight) throw std::runtime_error("the wall does not fill the picture");
                 rays_.push_back(sight->ray);
                 exact_.push_back(field_->first_hit(sight->ray.in_texels(), 1).value().texel);

@@ -81,7 +81,7 @@ struct Twin {
         Image errors(shot.size.x, shot.size.y, 1);
         for (int y = 0; y < shot.size.y; ++y)
             for (int x = 0; x < shot.size.x; ++x) {
-                const auto sight = sights.look(frame.ray(x, y), surface.mapping());
+                const auto sight = sights.look(frame.ray(x, y), surface.mapping(), 0);
                 const auto exact = sight ? heights.first_hit(sight->ray.in_texels(), 1) : std::nullopt;
                 *errors.pixel(x, y) =
                     exact ? float(glm::distance(guess(method, sight->ray).texel, exact->texel)) : no_surface;

@@ -60,7 +60,7 @@ private:
             if (!line.empty()) fmt::print("              {}\n", line);
         if (result.outcome == check::Outcome::wrong && !result.check->reason.empty())
             fmt::print("              why this limit: {}\n", result.check->reason);
-        if (const std::string hint = pages::look_at(result); hints_.insert(hint).second)
+        if (const std::string hint = pages::look_at(result); !hint.empty() && hints_.insert(hint).second)
             fmt::print("              look at: {}\n", without_backticks(hint));
         if (result.outcome != check::Outcome::wrong) return;
         const std::string name = quoted_for_shell(result.check->name);

@@ -234,6 +234,12 @@ std::string as_sentence(const std::string& text) {
     return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
 }
 
+/// Returns the text with a capital letter at its start.
+std::string as_begin(std::string text) {
+    if (!text.empty()) text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
+
 /// "1.2", "1.2, 1.3 and 1.4"
 std::string names_of(const TaskIds& tasks) {
     if (tasks.size() < 2) return fmt::format("{}", fmt::join(tasks, ""));
@@ -319,20 +325,21 @@ std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector
 
 std::string hint_of(const CheckInfo& check, const Judgement& said) {
     const std::string& look_at = said.look_at.empty() ? check.look_at : said.look_at;
-    if (said.relation.empty()) return look_at;
-    std::string relation = said.relation;
-    relation.front() = char(std::toupper(static_cast<unsigned char>(relation.front())));
-    return as_sentence(look_at) + relation;
+    return said.relation.empty() ? look_at : as_sentence(look_at) + as_begin(said.relation);
 }
 
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
                                const std::vector<TaskIds>& first) {
     std::vector<std::string> hints(said.size());
-    for (size_t i = 0; i < said.size(); ++i)
+    std::set<std::string> hinted;
+    for (size_t i = 0; i < said.size(); ++i) {
+        const CheckInfo& check = manifest.checks[i];
         if (!first[i].empty())
             hints[i] = fmt::format("put task {} right first", fmt::join(first[i], " and task "));
         else if (said[i].outcome == Outcome::wrong)
-            hints[i] = hint_of(manifest.checks[i], said[i]);
+            hints[i] = hinted.insert(check.task).second || !said[i].look_at.empty() ? hint_of(check, said[i])
+                                                                                    : as_begin(said[i].relation);
+    }
     return hints;
 }
 

@@ -90,7 +90,8 @@ std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector
 std::string hint_of(const CheckInfo& check, const Judgement& said);
 
 /// Returns the hint of each check for the student: the tasks to put right first (`first`, see put_right_first()), else
-/// hint_of(). Empty for every other check whose outcome is not `wrong`.
+/// hint_of() for a wrong check. Of a task's wrong checks only the first has the check's own hint: the hints of later
+/// ones name details that the code may have right. Those keep the judgement's hint and the relation.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
                                const std::vector<TaskIds>& first);
 

@@ -99,7 +99,7 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     if (own.outcome != check::Outcome::passed || !views_.has_hidden(check)) return {own};
     const check::Judgement hidden = views_.judge(views_.hidden(check, drawn));
     if (hidden.outcome == check::Outcome::passed) return {own};
-    return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
+    return {{hidden.outcome, "correct in the check's own view; in a hidden one: " + hidden.found}, true};
 }
 
 /// Lets a mistake cost points only in its own task. A task is drawn again with the solutions of all other tasks if
@@ -253,9 +253,11 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         if (kept && verdict.said.outcome != check::Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
     }
     const std::vector<check::TaskIds> first = check::put_right_first(manifest(), said);
-    const std::vector<std::string> all_hints = check::hints(manifest(), said, first);
+    std::vector<check::TaskIds> first_of_mixed = first;  // a task alone among solutions waits for no other
     for (size_t i = 0; i < marks.size(); ++i)
-        marks[i].look_at = verdicts[i].is_own ? check::hint_of(checks[i], said[i]) : all_hints[i];
+        if (verdicts[i].is_own) first_of_mixed[i].clear();
+    const std::vector<std::string> hints = check::hints(manifest(), said, first_of_mixed);
+    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = hints[i];
     lab.tasks = task_marks(marks);
     if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, first, said, is_drawn);
     return lab;

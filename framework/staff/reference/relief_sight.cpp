@@ -11,7 +11,8 @@ ReliefSights::ReliefSights(const Mesh& mesh) : mesh_(mesh) {
         triangles_.push_back({position(i), position(i + 1) - position(i), position(i + 2) - position(i)});
 }
 
-std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefMapping& mapping, bool front_only) const {
+std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefMapping& mapping, double begin,
+                                              bool front_only) const {
     double nearest = std::numeric_limits<double>::infinity();
     size_t seen = 0;
     glm::dvec3 shares{};
@@ -26,7 +27,7 @@ std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefMappin
         const double t = glm::dot(ray.direction, q);
         if (t * determinant < 0 || std::abs(s + t) > std::abs(determinant)) continue;
         const double distance = glm::dot(e2, q) / determinant;
-        if (distance <= 0 || distance >= nearest) continue;
+        if (distance <= begin || distance >= nearest) continue;
         nearest = distance, seen = i, shares = {1 - (s + t) / determinant, s / determinant, t / determinant};
     }
     if (nearest == std::numeric_limits<double>::infinity()) return {};

@@ -29,8 +29,10 @@ constexpr double least_slant = 0.002;
 class ReliefSights {
 public:
     explicit ReliefSights(const Mesh& mesh);
-    /// Returns the first triangle that the ray hits (Möller and Trumbore 1997). `front_only` culls back faces.
-    std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, bool front_only = false) const;
+    /// Returns the first triangle that the ray hits (Möller and Trumbore 1997), from the distance `begin` on.
+    /// `front_only` culls back faces.
+    std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, double begin,
+                                    bool front_only = false) const;
 
 private:
     struct Triangle {

@@ -6,6 +6,7 @@
 #include "framework/core/image/asset.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/surfaces.h"
 #include "framework/staff/reference/tangent_space.h"
 #include "scene.h"
@@ -67,8 +68,9 @@ glm::dvec3 normal_of(const Sight& sight, double strength) {
 
 std::optional<Image> exact_values(const Frame& view, const Probe& probe, double strength) {
     const Relief bricks("bricks_height.png", 24), paving("paving_height.png", 12);
+    const glm::dmat4 clip_from_world = view.camera.clip_from_world();
     return truth_of_rays(view, [&](const Ray& ray) -> std::optional<glm::dvec4> {
-        const Sight sight = first_sight(ray, bricks, paving);
+        const Sight sight = first_sight(drawn_part(clip_from_world, ray), bricks, paving);
         if (!sight.relief) return {};
         if (probe.name == "direction") return glm::dvec4(direction_of(sight, strength), 0);
         if (probe.name == "normal") return glm::dvec4(normal_of(sight, strength), 0);

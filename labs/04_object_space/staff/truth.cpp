@@ -8,7 +8,8 @@
 namespace relief::quilt {
 namespace {
 
-std::optional<Image> exact_values(const Frame& frame, double rate, const glm::dmat4& world_from_model) {
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, double rate,
+                                  const glm::dmat4& world_from_model) {
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const Ray local{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
@@ -18,12 +19,16 @@ std::optional<Image> exact_values(const Frame& frame, double rate, const glm::dm
         if (!hit) return {};
         const double angle = rate * hit->place.y * column.height;
         const glm::dvec2 rest(hit->place.x - angle / (2 * glm::pi<double>()), hit->place.y);
-        const DisplacedPoint point = displace(point_on(column, rest), {height(rest), slope(rest)}, scale);
+        const auto base = point_on(column, rest);
         const double c = std::cos(angle), s = std::sin(angle);
-        const glm::dvec3& p = point.position;
-        const glm::dmat3 twist({c, 0, -s}, {rate * (p.z * c - p.x * s), 1, -rate * (p.x * c + p.z * s)}, {s, 0, c});
-        const glm::dvec3 normal =
-            glm::normalize(glm::dmat3(world_from_model) * (glm::transpose(glm::inverse(twist)) * point.normal));
+        const auto twist = [&](const glm::dvec3& p) {
+            return glm::dmat3({c, 0, -s}, {rate * (p.z * c - p.x * s), 1, -rate * (p.x * c + p.z * s)}, {s, 0, c});
+        };
+        if (probe.name == "moved")
+            return glm::dvec4(twist(base.position) * (glm::normalize(base.du) + glm::normalize(base.dv)), 0);
+        const DisplacedPoint point = displace(base, {height(rest), slope(rest)}, scale);
+        const glm::dvec3 normal = glm::normalize(glm::dmat3(world_from_model) *
+                                                 (glm::transpose(glm::inverse(twist(point.position))) * point.normal));
         return glm::dvec4(normal, 0);
     });
 }

@@ -4,6 +4,7 @@
 #include "framework/core/image/asset.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/surfaces.h"
 
 namespace relief::frames {
@@ -53,7 +54,9 @@ std::optional<Image> exact_values(const Frame& frame, const Pose& pose) {
     const HeightField bricks(read_asset("bricks_height.png"), true);
     const glm::dmat4 model_from_world = glm::inverse(pose.world_from_model);
     const glm::dmat3 normals = glm::transpose(glm::dmat3(model_from_world));
-    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
+    return truth_of_rays(frame, [&](const Ray& whole) -> std::optional<glm::dvec4> {
+        const Ray ray = drawn_part(clip_from_world, whole);
         const auto sight = look(pose, {glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
                                        glm::dmat3(model_from_world) * ray.direction});
         if (!sight) return {};

@@ -2,6 +2,7 @@
 #include "truth.h"
 
 #include "framework/core/kit/numbers.h"
+#include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/relief_sight.h"
 
 namespace relief::offsets {
@@ -24,12 +25,14 @@ std::vector<Image> exact_values(const std::vector<Frame>& frames, const Probe& p
     const HeightField heights(surface.heights(), true);
     const ReliefMapping mapping = surface.mapping();
     std::vector<Image> images;
-    for (const Frame& frame : frames)
+    for (const Frame& frame : frames) {
+        const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
         images.push_back(truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
-            const auto sight = sights.look(ray, mapping);
+            const auto sight = sights.look(ray, mapping, near_plane(clip_from_world, ray));
             if (!sight) return {};
             return value_of(probe.name, *sight, heights);
         }));
+    }
     return images;
 }
 

@@ -2,6 +2,7 @@
 #include "truth.h"
 
 #include "framework/core/kit/numbers.h"
+#include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/relief_sight.h"
 
 namespace relief::occlusion {
@@ -12,8 +13,9 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
     if (probe.name != "uv" && probe.name != "depth") return {};
     const HeightField field(heights, true);
     const ReliefSights sights(mesh);
+    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
-        const auto sight = sights.look(ray, mapping);
+        const auto sight = sights.look(ray, mapping, near_plane(clip_from_world, ray));
         if (!sight) return {};
         double t = 0;
         if (!sight->faces_away) {

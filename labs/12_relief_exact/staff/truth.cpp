@@ -3,6 +3,7 @@
 
 #include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "framework/staff/reference/surfaces.h"
 #include "framework/staff/reference/terminator.h"
@@ -31,10 +32,11 @@ public:
           radius_(object.radius(outline)),
           border_(object.border(outline)) {}
 
-    void look(const Ray& world, const glm::dvec3& to_light, bool wants_light, Seen& nearest) const {
+    /// `begin`: the distance from which on the base is drawn.
+    void look(const Ray& world, double begin, const glm::dvec3& to_light, bool wants_light, Seen& nearest) const {
         const glm::dmat3 turn(model_from_world_);
         const Ray ray{glm::dvec3(model_from_world_ * glm::dvec4(world.origin, 1)), turn * world.direction};
-        const auto sight = sights_.look(ray, mapping_, is_closed_);
+        const auto sight = sights_.look(ray, mapping_, begin, is_closed_);
         if (!sight || (radius_ > 0 && sight->faces_away)) return;
         double t = 0, bend = 0;
         if (!sight->faces_away) {
@@ -84,9 +86,11 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
     if (!uv && !depth && !shadow && !way && !guess) return {};
     std::vector<SeenObject> objects;
     for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
+    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         Seen seen;
-        for (const SeenObject& object : objects) object.look(ray, sight.to_light, shadow, seen);
+        const double begin = near_plane(clip_from_world, ray);
+        for (const SeenObject& object : objects) object.look(ray, begin, sight.to_light, shadow, seen);
         if (sight.ball) look(*sight.ball, ray, seen);
         if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
         if (way) return seen.ray;

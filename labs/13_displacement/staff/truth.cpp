@@ -4,6 +4,7 @@
 #include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/near_plane.h"
 
 namespace relief::displacement {
 
@@ -44,9 +45,11 @@ public:
         glm::dvec2 slope;  ///< heights per tile
         glm::dvec3 normal;
     };
-    std::optional<Seen> look(const Ray& ray) const {
+    /// Looks for the first hit from the distance `begin` on.
+    std::optional<Seen> look(const Ray& ray, double begin) const {
         const double half = metres_ / 2;
-        const Stretch stretch = within(ray, {-half, -half, -scale_}, {half, half, 0});
+        Stretch stretch = within(ray, {-half, -half, -scale_}, {half, half, 0});
+        stretch.begin = std::max(stretch.begin, begin);
         if (stretch.begin > stretch.end) return {};
         if (scale_ == 0) return seen(stretch.begin, at_texel(ray, stretch.begin));
         const glm::dvec3 enters = ray.origin + stretch.begin * ray.direction;
@@ -85,8 +88,9 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
     }
     if (surface.shape != DisplacedSurface::wall || probe.name == "mip" || probe.name == "place") return {};
     const Wall wall(surface.heights(), DisplacedSurface::wall_metres, surface.tiles().x, double(surface.scale()));
+    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
-        const auto seen = wall.look(ray);
+        const auto seen = wall.look(ray, near_plane(clip_from_world, ray));
         if (!seen) return {};
         if (probe.name == "depth") return glm::dvec4(seen->distance, 0, 0, 0);
         if (probe.name == "slope") return glm::dvec4(seen->slope, 0, 0);

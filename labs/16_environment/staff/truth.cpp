@@ -11,6 +11,7 @@
 #include "framework/core/kit/numbers.h"
 #include "framework/core/mesh/parallelogram.h"
 #include "framework/staff/reference/mesh_rays.h"
+#include "framework/staff/reference/near_plane.h"
 
 namespace relief::court {
 namespace {
@@ -393,7 +394,9 @@ private:
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Lighting& lighting) {
     const Exact exact(lighting);
-    return truth_of_rays(frame, [&](const Ray& ray) { return exact.value(ray, probe.name); });
+    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
+    return truth_of_rays(frame,
+                         [&](const Ray& ray) { return exact.value(drawn_part(clip_from_world, ray), probe.name); });
 }
 
 std::optional<Terms> terms_of_ray(const Ray& ray, const Lighting& lighting) { return Exact(lighting).terms(ray); }

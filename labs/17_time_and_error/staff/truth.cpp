@@ -6,6 +6,7 @@
 #include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/budget.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/near_plane.h"
 
 namespace relief::budget {
 namespace {
@@ -20,7 +21,7 @@ std::optional<Image> exact_values(const Probe& probe, const FrameBudget& budget,
     const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
     return truth_of_rays(budget.frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const double away = -ray.origin.z / ray.direction.z;
-        if (!(away > 0) || ray.direction.z >= 0) return {};
+        if (!(away > near_plane(clip_from_world, ray)) || ray.direction.z >= 0) return {};
         const glm::dvec3 front = ray.at(away);
         if (!glm::all(glm::lessThanEqual(wall_low, glm::dvec2(front))) ||
             !glm::all(glm::lessThanEqual(glm::dvec2(front), wall_high)))

@@ -159,12 +159,25 @@ TEST(Hints, AreTheChecksOwnIfAllNeededTasksAreRight) {
 }
 
 TEST(Hints, NameTheNeededTaskHoweverTheCheckFailed) {
-    EXPECT_EQ(hints_of(manifest(), {right, wrong, wrong, wrong, wrong}),
-              (std::vector<std::string>{"", "put task 1.2 right first", "own hint of 1.2", "own hint of 1.2",
-                                        "put task 1.2 right first"}));
+    EXPECT_EQ(
+        hints_of(manifest(), {right, wrong, wrong, wrong, wrong}),
+        (std::vector<std::string>{"", "put task 1.2 right first", "own hint of 1.2", "", "put task 1.2 right first"}));
     for (const Outcome outcome : {Outcome::wrong, Outcome::crashed, Outcome::out_of_time, Outcome::out_of_memory})
         EXPECT_EQ(hints_of(manifest(), {right, right, wrong, right, {outcome, "off"}})[4], "put task 1.2 right first")
             << name_of(outcome);
+}
+
+// The later checks of a task name details. Code with another mistake has these right.
+TEST(Hints, AreTheChecksOwnOnlyForTheFirstWrongCheckOfATask) {
+    Judgement related = wrong, measured = wrong;
+    related.relation = "yours is half of it", measured.look_at = "normalise it";
+    EXPECT_EQ(hints_of(manifest(), {wrong, related, right, right, right}),
+              (std::vector<std::string>{"own hint of 1.1", "Yours is half of it", "", "", ""}));
+    EXPECT_EQ(hints_of(manifest(), {right, related, right, right, right})[1], "own hint of 1.1. Yours is half of it");
+    EXPECT_EQ(hints_of(manifest(), {wrong, measured, right, right, right})[1], "normalise it");
+    EXPECT_EQ(hints_of(manifest(), {right, wrong, wrong, right, right})[1], "put task 1.2 right first")
+        << "a check that waits takes no hint from the others of its task";
+    EXPECT_EQ(hints_of(manifest(), {wrong, wrong, wrong, right, right})[0], "own hint of 1.1");
 }
 
 TEST(Hints, ReportThatOnlyTheLengthIsWrong) {
