@@ -583,7 +583,7 @@ private:
             if (!stage_.lab()) return;
             const std::string knob = set_file(*stage_.lab(), file);
             message_ = knob.empty() ? stage_.manifest().title +
-                                          (is_named_as_model(file) ? " takes no OBJ file" : " takes no picture")
+                                          (is_named_as_model(file) ? " takes no model" : " takes no picture")
                                     : knob + ": " + file.filename().string();
             if (!knob.empty()) stage_.changed();
         } catch (const Error& error) {

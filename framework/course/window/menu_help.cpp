@@ -73,7 +73,7 @@ void draw_help(const Box& picture, float scale, bool& open) {
     draw_lines("Labs and the window", places, keys_width);
     quiet_text(
         "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
-        "the lab's map, and an OBJ file its shape.");
+        "the lab's map, and an OBJ or glTF file its shape.");
     if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
     ImGui::End();
 }
