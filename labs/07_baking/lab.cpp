@@ -8,13 +8,14 @@
 #include "framework/core/base/error.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief::baking {
 
-class Baking final : public Lab {
+class Baking final : public Lab, public MapMaker {
 public:
     void draw(const Frame& frame) override {
         std::vector<View> views = views_of(frame);
@@ -82,6 +83,18 @@ public:
             std::fill(nothing.values.begin(), nothing.values.end(), no_surface);
             return nothing;
         });
+    }
+
+    /// Returns the baked map of the chosen shape.
+    std::optional<Image> made_map() override {
+        const Image stored = baker_.bake(recipe(Shape(shape_))).map.read();
+        Image normals(stored.width, stored.height, 3);
+        for (size_t i = 0; i < stored.pixel_count(); ++i) {
+            // The map marks the texels of unfinished tasks.
+            if (stored.values[4 * i + 3] < 0.9f) throw Error("the map is not written yet: see the tasks of this lab");
+            std::copy_n(&stored.values[4 * i], 3, &normals.values[3 * i]);
+        }
+        return normals;
     }
 
 private:

@@ -24,6 +24,9 @@ constexpr Line looks[] = {{"click", "hold the values of the pixel under the mous
                           {"P", "follow the pixel under the mouse through the task's functions"},
                           {"E", "error map"},
                           {"S, F12", "save the picture"},
+                          {"M", "save the map that the lab makes, as PNG of 16 bits"},
+                          {"B", "a brush for the heights (lab 03): a drag paints, Ctrl+Z takes a stroke back"},
+                          {"N", "save the heights, as PNG of 16 bits"},
                           {"H", "the picture alone, without header, panel and status"}};
 constexpr Line places[] = {{"Home", "all labs, with a picture and the points of each"},
                            {"left, right", "the lab before, the next lab"},
