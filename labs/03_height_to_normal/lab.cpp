@@ -13,6 +13,7 @@
 #include "framework/core/image/mips.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "heights.h"
@@ -22,13 +23,11 @@
 
 namespace relief::heights {
 
-class HeightToNormal final : public Lab {
+class HeightToNormal final : public Lab, public MapMaker, public Paintable {
 public:
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
-        Maps& maps = maps_.get({programs_of_maps(tiles.size()), settings_.map, settings_.own.version()}, [this] {
-            return Maps{make_heights(), table([this] { return exact_image(); }), {}};
-        });
+        Maps& maps = maps_for(tiles.size());
         for (size_t i = 0; i < tiles.size(); ++i) {
             if (!maps.normals.contains(filter_of(i)))
                 maps.normals.emplace(filter_of(i), make_normals(filter_of(i), maps.heights));
@@ -41,7 +40,7 @@ public:
             draw_wall(frame_in(frame, tiles[i]), tiles[i], maps, filter_of(i));
             describe(frame.size, tiles[i], filter_of(i), maps.normals.at(filter_of(i)).error);
         }
-        if (settings_.shows_error()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (shows_error()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -49,14 +48,42 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         Image map;
-        if (probe.name == "normal" && settings_.map.has_known_slope()) map = exact_image();
+        if (probe.name == "normal" && has_known_slope()) map = exact_image();
         if (probe.name == "height")
-            map = settings_.has_colors() ? heights_by_cpu(settings_.color_picture()) : settings_.stored_heights();
+            map = paint_.on(settings_.has_colors() ? heights_by_cpu(settings_.color_picture())
+                                                   : settings_.stored_heights());
         if (map.values.empty()) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
             return on_wall(part, map, settings_.wall(), settings_.repeat);
         });
     }
+
+    /// Returns the normals by the filter of the knob, green up.
+    std::optional<Image> made_map() override {
+        Maps& maps = maps_for(tiles_of_view({1, 1}).size());
+        if (!maps.normals.contains(settings_.filter))
+            maps.normals.emplace(settings_.filter, make_normals(settings_.filter, maps.heights));
+        const Map& map = maps.normals.at(settings_.filter);
+        if (settings_.map.where == MapSettings::gpu && !is_written(map))
+            throw Error("the map is not written yet: see the tasks of this lab");
+        Image normals = map.read(3);
+        for (float& value : normals.values) value = 0.5f + 0.5f * value;
+        return normals;
+    }
+
+    std::optional<glm::dvec2> place_on_map(const Frame& frame, glm::dvec2 pixel) const override {
+        for (const Tile& tile : tiles_of_view(frame.size)) {
+            const glm::dvec2 at = pixel - glm::dvec2(tile.corner.x, frame.size.y - tile.corner.y - tile.size.y);
+            if (at.x < 0 || at.y < 0 || at.x >= tile.size.x || at.y >= tile.size.y) continue;
+            const Frame part = frame_in(frame, tile);
+            const glm::dvec2 in_clip = at / glm::dvec2(tile.size) * 2.0 - 1.0;
+            return place_on_wall(part.camera.ray({in_clip.x, -in_clip.y}), settings_.wall(), settings_.repeat);
+        }
+        return {};
+    }
+    void paint(const Dab& dab) override { paint_.add(dab, painted_heights(), settings_.map.wrap); }
+    PaintLayer& paint_layer() override { return paint_; }
+    Image painted_heights() override { return maps_for(tiles_of_view({1, 1}).size()).heights.read(1); }
 
 private:
     /// The maps for one setting of the knobs in MapSettings.
@@ -69,11 +96,21 @@ private:
 
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
         return tiles_of(frame, settings_.view == Settings::one ? 1 : int(Settings::filters.size()),
-                        settings_.shows_error() ? Labels::scale_height(frame) : 0);
+                        shows_error() ? Labels::scale_height(frame) : 0);
     }
+    /// Paint has no formula.
+    bool has_known_slope() const { return settings_.map.has_known_slope() && paint_.is_empty(); }
+    bool shows_error() const { return settings_.shows_error() && paint_.is_empty(); }
     int filter_of(size_t tile) const { return settings_.view == Settings::one ? settings_.filter : int(tile); }
 
     // ---- the maps
+
+    /// Returns the maps of the present knobs, made again if these or a program have changed.
+    Maps& maps_for(size_t tiles) {
+        return maps_.get({programs_of_maps(tiles), settings_.map, settings_.own.version(), paint_.version()}, [this] {
+            return Maps{make_heights(), table([this] { return exact_image(); }), {}};
+        });
+    }
 
     static Texture table(std::function<Image()> make) {
         return Texture("table", std::move(make), {.wrap = Wrap::clamp, .mips = false});
@@ -94,7 +131,7 @@ private:
     Map make_heights() const {
         Map heights(settings_.map.size(), GL_R32F);
         if (!settings_.has_colors()) {
-            heights.fill(settings_.stored_heights());
+            heights.fill(paint_.on(settings_.stored_heights()));
             return heights;
         }
         const Program& program = heights_program_.with();
@@ -102,6 +139,7 @@ private:
         const Texture picture = table([this] { return settings_.color_picture(); });
         program.set("s_picture", 0, picture);
         heights.fill(nothing_);
+        if (!paint_.is_empty()) heights.fill(paint_.on(heights.read(1)));
         return heights;
     }
 
@@ -119,7 +157,7 @@ private:
                                                       .filter = SlopeFilter(filter),
                                                       .wrap = settings_.map.wrap}));
         }
-        if (settings_.map.has_known_slope() && (by_cpu || is_written(map)))
+        if (has_known_slope() && (by_cpu || is_written(map)))
             map.error = summarize(error_image(map.read(3), exact_image(), ErrorMetric::angle));
         return map;
     }
@@ -184,7 +222,7 @@ private:
     void draw_wall(const Frame& frame, const Tile& tile, Maps& maps, int filter) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const Map& map = maps.normals.at(filter);
-        const bool show_error = settings_.shows_error() && map.error.count > 0 && !frame.probe,
+        const bool show_error = shows_error() && map.error.count > 0 && !frame.probe,
                    show_derived = settings_.is_derived() && !frame.probe;
         const Program& program =
             wall_program_.with({frame.probe, show_error || show_derived ? Settings::shows.define(settings_.show) : ""});
@@ -225,7 +263,9 @@ private:
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    Kept<Maps, std::vector<GLuint>, MapSettings, int> maps_;  ///< by programs, knobs, and version of the own picture
+    PaintLayer paint_;
+    /// By programs, knobs, and versions of the own picture and of the paint.
+    Kept<Maps, std::vector<GLuint>, MapSettings, int, int> maps_;
 };
 
 RELIEF_LAB(HeightToNormal);

@@ -21,6 +21,9 @@ inline FromStaff<Image(const Image& picture)> heights_by_cpu;
 /// height of 1, in texels.
 inline FromStaff<Image(const Image& heights, double texels)> open_to_the_sky;
 
+/// Returns the place on the map at which a ray meets a wall, in [0, 1); see on_wall(). Nothing beside the wall.
+std::optional<glm::dvec2> place_on_wall(const Ray& ray, glm::dvec2 wall, double repeat);
+
 /// Returns the frame of a wall that shows `map` (row 0 at the top), `repeat` times along each side. `wall` is half the
 /// size of the wall in metres. Each pixel has the value of the texel at its centre, or +infinity beside the wall.
 Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat);

@@ -36,8 +36,9 @@ public:
             if (view_ == frames) {
                 draw_frame_kind(frame_in(frame, tiles[i]), frame.size, tiles[i], frame_kind_of(i));
             } else {
-                draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
-                labels_.caption(frame.size, tiles[i], 0, methods[size_t(method_of(i))]);
+                const int method = method_of(i);
+                draw_surface(frame_in(frame, tiles[i]), tiles[i], method);
+                labels_.caption(frame.size, tiles[i], 0, methods[size_t(method)] + distance_from_file(method));
             }
         }
         if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
@@ -48,7 +49,8 @@ public:
         knobs.group("Picture");
         knobs.choice("view", view_, views,
                      "the methods side by side, or one of them, or ways to complete T and N to a frame");
-        knobs.choice("method", method_, methods, "for view = one: source of the tangent");
+        knobs.choice("method", method_, methods,
+                     "for view = one: source of the tangent; file: of a glTF file, else as analytic");
         knobs.choice("frame", frame_, frame_kinds.names,
                      "for view = frames: B by w and a cross product, averaged as T, the three made orthogonal in the "
                      "shader, or a frame by the normal alone");
@@ -81,19 +83,19 @@ private:
     enum FrameKind { every_frame, by_w, averaged, orthogonal, normal_alone };
     enum Show { half_and_half, light, error_map };
     /// The last is no method: B of each face, for a probe.
-    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic, solved_bitangent };
+    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic, of_file, solved_bitangent };
     static constexpr std::array views = {"every", "one", "frames"};
     static constexpr auto frame_kinds = choices<FrameKind>({{every_frame, "every"},
                                                             {by_w, "w"},
                                                             {averaged, "averaged", "AVERAGED"},
                                                             {orthogonal, "orthogonal", "ORTHOGONAL"},
                                                             {normal_alone, "normal-alone", "NORMAL_ALONE"}});
-    static constexpr std::array methods = {"per-face",   "uniform",     "area",    "angle",
-                                           "mikktspace", "derivatives", "analytic"};
+    static constexpr std::array methods = {"per-face",   "uniform",     "area",     "angle",
+                                           "mikktspace", "derivatives", "analytic", "file"};
     static constexpr std::array shapes = {"quad", "box", "cylinder", "sphere", "torus", "mirrored", "urn"};
     static constexpr std::array shows = {"half-and-half", "light", "error"};
-    static constexpr std::array side_by_side = {per_face, uniform,     area,
-                                                angle,    derivatives, analytic};  // the last: not of an own model
+    /// The last is not of an own model, which may have tangents in its file instead.
+    static constexpr std::array side_by_side = {per_face, uniform, area, angle, derivatives, analytic};
 
     static constexpr size_t most_lined_vertices = 1000;  ///< of an own model; more frames would hide it
 
@@ -108,11 +110,32 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int count = view_ == frames ? (frame_ == every_frame ? int(frame_kinds.size()) - 1 : 1)
                           : view_ == one  ? 1
-                                          : int(side_by_side.size()) - is_own();
+                                          : int(side_by_side.size()) - (is_own() && !own_.has_tangents());
         return tiles_of(size, count, has_scale() ? Labels::scale_height(size) : 0);
     }
     FrameKind frame_kind_of(size_t tile) const { return FrameKind(frame_ == every_frame ? int(tile) + 1 : frame_); }
-    int method_of(size_t tile) const { return view_ == one ? method_ : side_by_side[tile]; }
+    int method_of(size_t tile) const {
+        const int method = view_ == one ? method_ : side_by_side[tile];
+        return view_ == every && is_own() && method == analytic ? of_file : method;
+    }
+
+    /// Returns how far a method is from the tangents of an own model's file, on average over all corners.
+    std::string distance_from_file(int method) {
+        if (!is_own() || !own_.has_tangents() || method == of_file || method == derivatives || collapsed_) return "";
+        auto& distances = distances_.get({own_.version()}, [] { return std::map<int, std::string>(); });
+        if (const auto found = distances.find(method); found != distances.end()) return found->second;
+        const Mesh &given = own_.mesh(), made = make(method);
+        double degrees = 0;
+        size_t mirrored = 0;
+        for (size_t i = 0; i < given.indices.size(); ++i) {
+            const glm::vec4 a = given.vertices[given.indices[i]].tangent, b = made.vertices[made.indices[i]].tangent;
+            degrees += glm::degrees(std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)));
+            mirrored += a.w * b.w < 0;
+        }
+        std::string text = fmt::format(": {} degrees from the file", rounded(degrees / double(given.indices.size())));
+        if (mirrored > 0) text += fmt::format(", {} corners mirrored", mirrored);
+        return distances.try_emplace(method, std::move(text)).first->second;
+    }
 
     Mesh make(int method, basis::Axis axis = basis::Axis::tangent) const {
         Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
@@ -135,6 +158,10 @@ private:
                 return basis::with_mikktspace(mesh);
             case analytic:
                 if (is_own()) throw Error("method=analytic needs a shape with a formula: an own model has none");
+                return mesh;
+            case of_file:
+                if (is_own() && !own_.has_tangents())
+                    throw Error("method=file needs a glTF file with tangents and uv: export them, or choose another");
                 return mesh;
             default:
                 return mesh;
@@ -232,6 +259,7 @@ private:
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Kept<std::map<int, GpuMesh>, MeshInputs> meshes_;  ///< by method
     Kept<VertexStream, MeshInputs> bitangents_;
+    Kept<std::map<int, std::string>, int> distances_;  ///< by method
     OwnMesh own_{basis::box_half * std::sqrt(3.0)};
     Labels labels_;
 

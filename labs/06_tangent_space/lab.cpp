@@ -38,7 +38,8 @@ public:
                              "shape of the model; the wall's left half is mirrored");
         knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
-        knobs.choice_or_file("map", map_, own_, maps, "the normal map: bricks, or one flat texel");
+        knobs.choice_or_file("map", map_, own_, maps,
+                             "the normal map: bricks, one flat texel, or that of a glTF model");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("light_in", light_in_, spaces, "space of the lighting");
         knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
@@ -63,7 +64,8 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
-        if (frames::Shape(shape_) == frames::Shape::own || (normals_from_ == from_map && map_ == own)) return {};
+        if (frames::Shape(shape_) == frames::Shape::own) return {};
+        if (normals_from_ == from_map && (map_ == own || (map_ == of_model && own_mesh_.normal_map()))) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;
         // Without a tangent, the direction of the bumps is undefined.
         if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
@@ -84,13 +86,13 @@ private:
                                                         {"tangent not turned", "", "", "TANGENT_STAYS"}}};
     enum View { compare, one };
     enum NormalsFrom { from_map, from_vertices };
-    enum Map { bricks, one_texel, own };
+    enum Map { bricks, one_texel, of_model, own };
     enum LightIn { world_space, tangent_space };
     enum Trouble { none, leaning, along_normal, missing };
     static constexpr std::array views = {"compare", "one"};
     static constexpr std::array shapes = {"sphere", "column", "wall"};
     static constexpr std::array sources = {"map", "vertices"};
-    static constexpr std::array maps = {"bricks", "one-texel"};
+    static constexpr std::array maps = {"bricks", "one-texel", "model"};
     static constexpr std::array spaces = {"world", "tangent"};
     static constexpr std::array orders = {"product", "one-by-one"};
     static constexpr auto troubles = choices<Trouble>({{none, "none"},
@@ -134,7 +136,11 @@ private:
         surface.set("u_light", lamp_at(light_yaw_, light_distance_, light_height_));
         surface.set("u_strength", strength_);
         surface.set("u_turn", glm::radians(turn_));
-        surface.set("s_normals", 0, map_ == bricks ? bricks_ : map_ == one_texel ? texel_ : own_texture());
+        surface.set("s_normals", 0,
+                    map_ == bricks                               ? bricks_
+                    : map_ == own                                ? own_texture()
+                    : map_ == of_model && own_mesh_.normal_map() ? model_texture()
+                                                                 : texel_);
         const auto shape = frames::Shape(shape_);
         const GpuMesh& mesh = shape == frames::Shape::sphere   ? sphere_
                               : shape == frames::Shape::column ? column_
@@ -157,7 +163,12 @@ private:
     }
     const GpuMesh& own_model() const {
         return own_model_.get({own_mesh_.version()},
-                              [this] { return upload([this] { return with_face_tangents(own_mesh_.mesh()); }); });
+                              [this] { return upload([this] { return own_mesh_.mesh_with_tangents(); }); });
+    }
+    const Texture& model_texture() const {
+        return model_texture_.get({own_mesh_.version()}, [this] {
+            return Texture("the model's map", [this] { return *own_mesh_.normal_map(); });
+        });
     }
     static Image flat_texel() {
         Image image(1, 1, 3);
@@ -171,7 +182,8 @@ private:
     OwnPicture own_{own_normals};
     mutable Kept<Texture, int> own_texture_;  ///< by the picture
     OwnMesh own_mesh_{1.25};
-    mutable Kept<GpuMesh, int> own_model_;  ///< by the model
+    mutable Kept<GpuMesh, int> own_model_;      ///< by the model
+    mutable Kept<Texture, int> model_texture_;  ///< by the model
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });

@@ -3,20 +3,25 @@
 #include <algorithm>
 
 namespace relief::baking {
+
+Mesh Recipe::high_mesh() const {
+    return model.shape == Shape::own ? own->high(has_fine) : make_high(model, high_finenesses[size_t(high)], cord, sculpt);
+}
+
+Mesh Recipe::low_mesh(bool other_diagonal) const {
+    return model.shape == Shape::own ? own->low()
+                                     : make_low(model, low_finenesses[size_t(low)], overlapping, other_diagonal);
+}
+
 const RayMesh& Baker::high(const Recipe& recipe) {
-    return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord, recipe.sculpt}, [&] {
-        return std::make_unique<RayMesh>(
-            make_high(recipe.model, high_finenesses[size_t(recipe.high)], recipe.cord, recipe.sculpt));
-    });
+    return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord, recipe.sculpt, recipe.version},
+                                      [&] { return std::make_unique<RayMesh>(recipe.high_mesh()); });
 }
 
 const GpuMesh& Baker::low(const Recipe& recipe, bool other_diagonal) {
     auto& low = of_shape(recipe).low[other_diagonal ? 1 : 0];
-    return *low.get({recipe.model, recipe.low, recipe.overlapping}, [&] {
-        return std::make_unique<GpuMesh>(upload([=] {
-            return make_low(recipe.model, low_finenesses[size_t(recipe.low)], recipe.overlapping, other_diagonal);
-        }));
-    });
+    return *low.get({recipe.model, recipe.low, recipe.overlapping, recipe.version},
+                    [&] { return std::make_unique<GpuMesh>(upload([=] { return recipe.low_mesh(other_diagonal); })); });
 }
 
 const Baked& Baker::bake(const Recipe& recipe) {
@@ -61,11 +66,13 @@ void Baker::cast_rays(const Program& program, const Recipe& recipe, const TexelT
     glUseProgram(program);
     high(recipe).set(program, 0);
     program.set("u_take", recipe.take);
-    const bool is_cube = recipe.model.shape == Shape::cube;
+    const bool grows = recipe.is_ammonite();
     program.set("u_reach",
-                float(is_cube ? recipe.reach_at({}) : double(recipe.reach) * recipe.model.tube_radius(whorls)));
-    program.set("u_growth", is_cube ? 1.0f : float(growth));
-    program.set("u_layout", glm::vec4(border, step, border, 1 - 2 * border));
+                float(grows ? double(recipe.reach) * recipe.model.tube_radius(whorls) : recipe.reach_at({})));
+    program.set("u_growth", grows ? float(growth) : 1.0f);
+    // All of a file's map is turn 0.
+    program.set("u_layout", recipe.model.shape == Shape::own ? glm::vec4(0, 1e9, 0, 1e9)
+                                                             : glm::vec4(border, step, border, 1 - 2 * border));
     glBindVertexArray(coarse.layout());
     glDrawElements(GL_TRIANGLES, coarse.count(), GL_UNSIGNED_INT, nullptr);
 }

@@ -40,10 +40,18 @@ struct Recipe {
     float reach = 0.42f;
     int size = 256, bits = 0, padding = 8;
     Sculpt sculpt = {};
+    const OwnModels* own = nullptr;  ///< of Shape::own
+    bool has_fine = false;           ///< of `own`
+    int version = 0;                 ///< of `own`
     bool operator==(const Recipe&) const = default;
 
     /// Returns the reach in metres at a place of the map. `reach` itself is in Model::unit().
     double reach_at(const glm::dvec2& uv) const { return double(reach) * model.unit(uv); }
+    /// Returns whether the model is the ammonite, which has turns and grows.
+    bool is_ammonite() const { return model.shape == Shape::ammonite || model.shape == Shape::mirrored; }
+    Mesh high_mesh() const;
+    /// See make_low(). An own model has the diagonals of its file.
+    Mesh low_mesh(bool other_diagonal) const;
 };
 
 struct Baked {
@@ -65,9 +73,9 @@ public:
     const RayMesh& high(const Recipe& recipe);
     /// Returns the low model of a recipe. Its quads are cut along the diagonals of the bake, or along the other ones.
     const GpuMesh& low(const Recipe& recipe, bool other_diagonal);
-    /// Returns the map of a recipe, baked again if the recipe or a shader has changed. Keeps one map for the ammonite
-    /// and one for the cube, so the reference is valid until the next bake of that shape. May change the framebuffer
-    /// and the viewport.
+    /// Returns the map of a recipe, baked again if the recipe or a shader has changed. Keeps one map for the ammonite,
+    /// one for the cube and one for files, so the reference is valid until the next bake of that shape. May change the
+    /// framebuffer and the viewport.
     const Baked& bake(const Recipe& recipe);
     /// Returns the report of the shape's latest bake. Reads its textures back at the first call.
     Baked::Report report(const Baked& baked);
@@ -80,18 +88,20 @@ private:
     Programs store_{"common/window.vert", "07_baking/store.frag"};
     Programs clear_{"common/window.vert", "07_baking/cover.frag"};
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
-    // Index 0 of of_shape_ is the ammonite, 1 the cube.
+    // Index 0 of of_shape_ is the ammonite, 1 the cube, 2 a file.
     struct OfShape {
-        Kept<std::unique_ptr<RayMesh>, Model, int, bool, Sculpt> high;  ///< by fineness and cord
-        /// By fineness and overlapping islands. Index 1 has the opposite diagonals of the bake's mesh.
-        std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
+        Kept<std::unique_ptr<RayMesh>, Model, int, bool, Sculpt, int> high;  ///< by fineness, cord and version
+        /// By fineness, overlapping islands and version. Index 1 has the opposite diagonals of the bake's mesh.
+        std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool, int>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;
     };
-    OfShape of_shape_[2];
+    OfShape of_shape_[3];
     WindowTriangle window_;
 
-    OfShape& of_shape(const Recipe& recipe) { return of_shape_[recipe.model.shape == Shape::cube ? 1 : 0]; }
+    OfShape& of_shape(const Recipe& recipe) {
+        return of_shape_[recipe.is_ammonite() ? 0 : recipe.model.shape == Shape::cube ? 1 : 2];
+    }
     void cast_rays(const Program& program, const Recipe& recipe, const TexelTarget& texels);
     void grow_islands(const Program& program, const Recipe& recipe, const TexelTarget& from, const TexelTarget& to);
     void round_texels(const Program& program, const TexelTarget& texels, const TexelTarget& map);

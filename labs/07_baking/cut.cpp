@@ -106,7 +106,7 @@ void add_cage(Section& section, const CoarseModel& coarse, int whorl, double s, 
 }  // namespace
 
 std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
-    if (recipe.model.shape == Shape::cube) return {};
+    if (!recipe.is_ammonite()) return {};
     // The section goes through the centres of a column of texels.
     const float across = float(border) + float(1 - 2 * border) * share;
     const int column = std::clamp(int(across * float(recipe.size)), 0, recipe.size - 1);

@@ -18,7 +18,7 @@ struct CutLine {
 };
 
 /// Returns the lines of the section at `share` of a turn, in [0, 1]. `hits` is the second texture of a bake of this
-/// recipe. A cube has no lines.
+/// recipe. A cube and a file have no lines.
 std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share);
 
 class CutDrawing {

@@ -5,15 +5,17 @@
 #include <fmt/format.h>
 
 #include "cut.h"
+#include "framework/core/base/error.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief::baking {
 
-class Baking final : public Lab {
+class Baking final : public Lab, public MapMaker {
 public:
     void draw(const Frame& frame) override {
         std::vector<View> views = views_of(frame);
@@ -37,9 +39,12 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.choice("view", view_, views_,
-                     "all models, the cube by every frame, a cut with its rays, the map, or one model");
-        knobs.choice("shape", shape_, shapes, "the model: an ammonite, one in a mirror, or a cube");
-        knobs.choice("wears", wears_, wears, "for view = one: the coarse model with its map, without, or the fine one");
+                     "all models, the cube or a file by every frame, a cut with its rays, the map, or one model");
+        knobs.choice_or_file("shape", shape_, own_.coarse, shapes,
+                             "the model: an ammonite, one in a mirror, or a cube");
+        knobs.choice_or_file("fine", fine_, own_.fine, fines, "the fine model of a file: the file itself");
+        knobs.choice("wears", wears_, wears,
+                     "for view = one: the coarse model with its map, without, the fine one, or the map in its file");
         knobs.slider("cut", cut_, 0, 1, "for view = rays: where the cut is, in turns");
         knobs.group("Bake");
         knobs.choice("map", space_, spaces, "space of the map's normals");
@@ -71,6 +76,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        if (Shape(shape_) == Shape::own && fine_ == 0) return {};  // nothing to compare with
         const std::vector<View> views = views_of(frame);
         if (probe.name != "normal") return map_truth(frame, probe, views[0].sight.recipe);
         std::vector<Tile> tiles;
@@ -83,11 +89,24 @@ public:
         });
     }
 
+    /// Returns the baked map of the chosen shape.
+    std::optional<Image> made_map() override {
+        const Image stored = baker_.bake(recipe(Shape(shape_))).map.read();
+        Image normals(stored.width, stored.height, 3);
+        for (size_t i = 0; i < stored.pixel_count(); ++i) {
+            // The map marks the texels of unfinished tasks.
+            if (stored.values[4 * i + 3] < 0.9f) throw Error("the map is not written yet: see the tasks of this lab");
+            std::copy_n(&stored.values[4 * i], 3, &normals.values[3 * i]);
+        }
+        return normals;
+    }
+
 private:
     enum ViewKind { compare, cube, rays, map, one };
     static constexpr std::array views_ = {"compare", "cube", "rays", "map", "one"};
     static constexpr std::array shapes = {"ammonite", "mirrored", "cube"};
-    static constexpr std::array wears = {"map", "nothing", "high"};
+    static constexpr std::array wears = {"map", "nothing", "high", "file"};
+    static constexpr std::array fines = {"itself"};
     static constexpr std::array spaces = {"tangent", "object"};
     static constexpr std::array diagonals = {"same", "other"};
     static constexpr std::array ray_normals = {"smooth", "face"};
@@ -102,10 +121,11 @@ private:
         Sight sight{};
         int frame = interpolated;  ///< the renderer's
         std::string title{};
+        bool wears_file = false;  ///< the normal map in the model's file instead of the baked one
         const Baked* baked = nullptr;
         const std::vector<CutLine>* cut = nullptr;
 
-        bool needs_map() const { return sight.shown == Shown::mapped || draws != Draws::model; }
+        bool needs_map() const { return (sight.shown == Shown::mapped && !wears_file) || draws != Draws::model; }
     };
 
     Recipe recipe(Shape shape) const {
@@ -123,16 +143,30 @@ private:
                       .bits = bits_,
                       .padding = padding_,
                       .sculpt = sculpt_};
-        if (shape == Shape::cube) {  // resets settings without effect on the cube, so that they do not cause a bake
+        // Resets settings without effect on the cube or a file, so that they do not cause a bake.
+        if (!recipe.is_ammonite()) {
             recipe.high = 0, recipe.low = 0, recipe.cord = recipe.overlapping = false, recipe.model.gap = 0;
             recipe.sculpt = {};
         }
+        if (shape == Shape::own)
+            recipe.own = &own_, recipe.has_fine = fine_ == 1,
+            recipe.version = own_.coarse.version() + own_.fine.version();
         return recipe;
     }
 
-    static int triangles_of(Fineness fineness, int pieces) { return fineness.columns * fineness.sides * 2 * pieces; }
-    int low_triangles() const { return triangles_of(low_finenesses[size_t(low_)], whorls); }
-    int high_triangles() const { return triangles_of(high_finenesses[size_t(high_)], 1); }
+    static size_t triangles_of(Fineness fineness, int pieces) {
+        return size_t(fineness.columns * fineness.sides * 2 * pieces);
+    }
+    static size_t triangles_of(const OwnMesh& own) { return own.mesh().indices.size() / 3; }
+    size_t low_triangles() const {
+        return is_own() ? triangles_of(own_.coarse) : triangles_of(low_finenesses[size_t(low_)], whorls);
+    }
+    size_t high_triangles() const {
+        return !is_own() ? triangles_of(high_finenesses[size_t(high_)], 1)
+                         : triangles_of(fine_ == 1 ? own_.fine : own_.coarse);
+    }
+    bool is_own() const { return Shape(shape_) == Shape::own; }
+    bool has_file_map() const { return is_own() && own_.coarse.normal_map(); }
 
     /// Returns the views of the picture, each in its tile. A probe of the map has one view.
     std::vector<View> views_of(const Frame& frame) const {
@@ -141,7 +175,7 @@ private:
         if (frame.probe && frame.probe.name != "normal")
             views = {{.draws = frame.probe.name == "cover" ? Draws::cover : Draws::map, .sight = {recipe(chosen)}}};
         else if (view_ == one)
-            views = {{.sight = {recipe(chosen), Shown(2 - wears_), diagonal_ == 1}, .frame = frame_}};
+            views = {worn_view(chosen)};
         else if (view_ == map)
             views = {{.draws = Draws::map, .sight = {recipe(chosen)}}};
         else if (view_ == rays)
@@ -157,22 +191,40 @@ private:
         return {.sight = {recipe(shape), shown, diagonal_ == 1}, .frame = read_in, .title = std::move(title)};
     }
 
-    /// Returns the cube by each of the renderer's frames.
+    View worn_view(Shape shape) const {
+        constexpr std::array shown = {Shown::mapped, Shown::low, Shown::high, Shown::mapped};
+        View view = view_of_model(shape, shown[size_t(wears_)], frame_, "");
+        view.wears_file = wears_ == 3 && is_own();
+        if (view.wears_file && !own_.coarse.normal_map())
+            throw Error("wears=file needs a glTF file with a normal map: choose wears=map to bake one");
+        return view;
+    }
+
+    /// Returns the cube, or a file with its own map, by each of the renderer's frames.
     std::vector<View> cubes() const {
         std::vector<View> views;
-        for (size_t i = 0; i < frames.size(); ++i)
-            views.push_back(view_of_model(Shape::cube, Shown::mapped, int(i), frames.names[i]));
+        for (size_t i = 0; i < frames.size(); ++i) {
+            views.push_back(view_of_model(is_own() ? Shape::own : Shape::cube, Shown::mapped, int(i), frames.names[i]));
+            views.back().wears_file = has_file_map();
+        }
         return views;
     }
 
     std::vector<View> models(Shape shape) const {
         const int other_frame = bake_frame_ == gram_schmidt ? interpolated : gram_schmidt;
-        return {view_of_model(shape, Shown::high, interpolated, fmt::format("{} triangles", high_triangles())),
-                view_of_model(shape, Shown::low, interpolated, std::to_string(low_triangles())),
-                view_of_model(shape, Shown::mapped, frame_, fmt::format("{} and a map", low_triangles())),
-                view_of_model(Shape::cube, Shown::mapped, bake_frame_, "flat: one frame"),
-                view_of_model(Shape::cube, Shown::mapped, other_frame, "another frame"),
-                {.draws = Draws::map, .sight = {recipe(shape), Shown::nothing}, .title = "the map"}};
+        std::vector<View> views = {
+            view_of_model(shape, Shown::high, interpolated, fmt::format("{} triangles", high_triangles())),
+            view_of_model(shape, Shown::low, interpolated, std::to_string(low_triangles())),
+            view_of_model(shape, Shown::mapped, frame_, fmt::format("{} and a map", low_triangles())),
+            view_of_model(Shape::cube, Shown::mapped, bake_frame_, "flat: one frame"),
+            view_of_model(Shape::cube, Shown::mapped, other_frame, "another frame"),
+            {.draws = Draws::map, .sight = {recipe(shape), Shown::nothing}, .title = "the map"}};
+        if (has_file_map()) {
+            views[3] = view_of_model(shape, Shown::mapped, interpolated, "its file's map: interpolated");
+            views[4] = view_of_model(shape, Shown::mapped, gram_schmidt, "its file's map: gram-schmidt");
+            views[3].wears_file = views[4].wears_file = true;
+        }
+        return views;
     }
 
     void draw_view(const Frame& frame, const View& view) {
@@ -197,7 +249,10 @@ private:
         if (has_map) {
             surface.set("s_map", 0);
             surface.set("u_level", float(std::max(0, level_ - 1)));
-            view.baked->map.bind(0);
+            if (view.wears_file)
+                surface.set("s_map", 0, file_map());
+            else
+                view.baked->map.bind(0);
         }
         const GpuMesh& mesh = shown == Shown::high ? baker_.high(recipe).uploaded : baker_.low(recipe, other_diagonal);
         glBindVertexArray(mesh.layout());
@@ -227,6 +282,12 @@ private:
         window_.draw();
     }
 
+    const Texture& file_map() {
+        return file_map_.get({own_.coarse.version()}, [this] {
+            return Texture("the file's map", [this] { return *own_.coarse.normal_map(); });
+        });
+    }
+
     const std::vector<CutLine>& cut_of(const Baked& baked) {
         return cut_lines_.get({baked.recipe, baked.programs, cut_}, [&] {
             return cut_lines(baked.recipe, baker_.high(baked.recipe).mesh, baked.texels.read(1), cut_);
@@ -251,6 +312,8 @@ private:
                             {1.0f, 0.62f, 0.45f});
     }
 
+    OwnModels own_;
+    Kept<Texture, int> file_map_;  ///< by the coarse model
     Programs surface_{"07_baking/surface.vert", "07_baking/surface.frag"};
     Programs map_{"common/window.vert", "07_baking/map.frag"};
     Baker baker_;
@@ -259,7 +322,7 @@ private:
     Kept<std::vector<CutLine>, Recipe, std::array<GLuint, 3>, float> cut_lines_;
     Labels labels_;
 
-    int view_ = compare, shape_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;
+    int view_ = compare, shape_ = 0, fine_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;
     int ray_normals_ = 0, take_ = 0, islands_ = 0, size_ = 2, bits_ = 1, padding_ = 8, level_ = 0, low_ = 1, high_ = 0;
     float reach_ = 0.42f, gap_ = 0.12f, cut_ = 0.62f;
     Sculpt sculpt_;

@@ -102,6 +102,7 @@ double Model::centre_radius(double turn) const { return outer_radius * std::pow(
 double Model::tube_radius(double turn) const { return touching_radius * (1 - double(gap)) * centre_radius(turn); }
 
 double Model::unit(const glm::dvec2& uv) const {
+    if (shape == Shape::own) return own_radius / 4;
     return shape == Shape::cube ? cube_side / 2 : tube_radius(turn_at(uv));
 }
 
@@ -156,8 +157,26 @@ Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool othe
     return mesh;
 }
 
+Mesh OwnModels::low() const {
+    Mesh mesh = coarse.mesh_with_tangents();
+    for (Vertex& vertex : mesh.vertices) vertex.position += cube_centre;
+    return mesh;
+}
+
+Mesh OwnModels::high(bool has_fine) const {
+    Mesh mesh = has_fine ? fine.mesh() : coarse.mesh();
+    const Placement& from = has_fine ? fine.placement() : coarse.placement();
+    const Placement& to = coarse.placement();
+    for (Vertex& vertex : mesh.vertices) {
+        const glm::dvec3 in_file = glm::dvec3(vertex.position) / from.scale + from.middle;
+        vertex.position = to.scale * (in_file - to.middle) + glm::dvec3(cube_centre);
+        vertex.uv = {0, 0};
+    }
+    return mesh;
+}
+
 double reach_needed(const Model& model, Fineness low, const Sculpt& sculpt) {
-    if (model.shape == Shape::cube) return 0;
+    if (model.shape == Shape::cube || model.shape == Shape::own) return 0;
     const double tube = touching_radius * (1 - double(model.gap));
     const double along = (1 + tube) / tube * (1 - std::cos(glm::pi<double>() / low.columns));
     return std::max(sculpt.highest(), sculpt.deepest()) + along + (1 - std::cos(glm::pi<double>() / low.sides));

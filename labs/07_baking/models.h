@@ -1,14 +1,15 @@
-// The models of lab 07: an ammonite in closed form, fine and coarse, and a cube with averaged normals.
+// The models of lab 07: an ammonite in closed form, fine and coarse, a cube with averaged normals, and files.
 //
 // The ammonite's tube winds three times around the z axis. It grows by the factor `growth` each turn. Whorls lie close
 // together, so a ray that leaves one may hit another.
 #pragma once
 
+#include "framework/core/kit/own_mesh.h"
 #include "framework/core/lab/lab.h"
 
 namespace relief::baking {
 
-enum class Shape { ammonite, mirrored, cube };
+enum class Shape { ammonite, mirrored, cube, own };
 
 constexpr int whorls = 3;
 constexpr double growth = 2.1, outer_radius = 0.74;              ///< of the centre line at turn 3, metres
@@ -17,6 +18,7 @@ constexpr double rib_height = 0.15, growth_line_height = 0.012;  ///< in radii o
 constexpr double cord_height = 0.28, cord_radius = 0.08;         ///< of its middle above the tube; in radii of the tube
 constexpr float cube_side = 1.05f;
 constexpr glm::vec3 cube_centre{0.17f, 0, 0};  // the middle of the ammonite
+constexpr double own_radius = 0.95;            ///< half the diagonal of an own model's bounding box, metres
 
 /// The map: strips of the whorls, or squares of the cube's faces, with borders around them. In uv.
 constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
@@ -29,7 +31,8 @@ struct Model {
     /// Return the distance of the centre line from the axis, and the radius of the tube, in metres at a turn in [0, 3].
     double centre_radius(double turn) const;
     double tube_radius(double turn) const;
-    /// Returns the unit of distances at a place of the map, in metres: the tube's radius, or half of the cube's side.
+    /// Returns the unit of distances at a place of the map, in metres: the tube's radius, half of the cube's side, or
+    /// an eighth of an own model's diagonal.
     double unit(const glm::dvec2& uv) const;
 };
 
@@ -65,12 +68,23 @@ Mesh make_high(const Model& model, Fineness fineness, bool cord, const Sculpt& s
 /// all quads along the other diagonal.
 Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool other_diagonal);
 
+/// Files of the user: the coarse model, and the fine one that is baked for it.
+struct OwnModels {
+    OwnMesh coarse{own_radius}, fine{own_radius};
+
+    /// Returns the coarse model in the lab, with the file's tangents, or else those of its triangles.
+    Mesh low() const;
+    /// Returns the fine model, which is moved and scaled as the coarse one; its uv are 0. Without a file it is the
+    /// coarse model.
+    Mesh high(bool has_fine) const;
+};
+
 /// Returns the turn at a place of the map, clamped to the strip of a whorl.
 double turn_at(const glm::dvec2& uv);
 
 /// Returns the distance of a cage from the low mesh, in radii of the tube, at which no ray begins inside the high mesh
 /// or ends above it. It is the height or the depth of the relief plus the sagittas along and around the tube. Returns 0
-/// for the cube.
+/// for the cube and for files.
 double reach_needed(const Model& model, Fineness low, const Sculpt& sculpt);
 
 }  // namespace relief::baking

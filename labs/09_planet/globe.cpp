@@ -198,6 +198,23 @@ glm::ivec2 Globe::map_corner(size_t i) const {
     return tile(slots_.at(drawn_[i]).place, map_columns, recipe_.texels + 2);
 }
 
+std::optional<Image> Globe::map_picture() const {
+    if (!map_ || drawn_.empty() || recipe_.slopes) return {};
+    const Image atlas = map_->read();
+    const int texels = recipe_.texels, count = int(drawn_.size());
+    const int columns = std::min(count, map_columns), rows = (count + columns - 1) / columns;
+    Image picture(columns * texels, rows * texels, 3);
+    for (int i = 0; i < count; ++i) {
+        const glm::ivec2 from = map_corner(size_t(i)) + 1, to = tile(i, columns, texels);  // inside of the gutter
+        for (int y = 0; y < texels; ++y)
+            for (int x = 0; x < texels; ++x) {
+                const float* const normal = atlas.pixel(from.x + x, atlas.height - 1 - (from.y + texels - 1 - y));
+                for (int c = 0; c < 3; ++c) picture.pixel(to.x + x, to.y + y)[c] = 0.5f + 0.5f * normal[c];
+            }
+    }
+    return picture;
+}
+
 void Globe::draw(const Program& program, size_t i, const Plan& plan, const Eye& eye, bool precise) const {
     const Slot& slot = slots_.at(drawn_[i]);
     // Precise: subtracts in double and rounds the difference. Otherwise rounds both, and the shader subtracts.

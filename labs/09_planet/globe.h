@@ -66,6 +66,9 @@ public:
     void bind_maps(int unit) const {
         if (map_) map_->bind(unit);
     }
+    /// Returns the normals of all prepared patches, 16 tiles in a row from the upper left, without their gutters; or
+    /// nothing if there are no maps. Values are in [0, 1]. Changes the framebuffer.
+    std::optional<Image> map_picture() const;
     /// Returns the lower left texel of the tile of patch `i` in the map.
     glm::ivec2 map_corner(size_t i) const;
     int triangles_of_patch(bool skirts) const { return grid_.grid_indices() / 3 + (skirts ? 2 * 4 * grid_.quads : 0); }

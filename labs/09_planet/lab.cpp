@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "framework/core/kit/labels.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "task.h"
@@ -17,7 +18,7 @@
 
 namespace relief::planet {
 
-class PlanetLab final : public Lab {
+class PlanetLab final : public Lab, public MapMaker {
 public:
     void draw(const Frame& frame) override {
         std::vector<View> views = views_of(settings_, frame);
@@ -56,6 +57,9 @@ public:
             return view.is_flat ? flat_truth(part.size, probe, sight) : globe_truth(part.size, probe, sight);
         });
     }
+
+    /// Returns the normals of the patches of the first view.
+    std::optional<Image> made_map() override { return globes_[0].map_picture(); }
 
 private:
     static constexpr double near = 1e-7;  // radii

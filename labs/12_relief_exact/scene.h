@@ -23,7 +23,7 @@ struct Object {
     /// Returns the lowest and the highest uv of the surface; +-1e30 without a border.
     std::pair<glm::vec2, glm::vec2> border(bool outline) const {
         const glm::vec2 far(1e30f);
-        if (!outline || surface->shape == ReliefSurface::urn) return {-far, far};
+        if (!outline || surface->shape >= ReliefSurface::urn) return {-far, far};  // the urn, and a file
         const ReliefMapping mapping = surface->mapping();
         glm::vec2 low = glm::min(mapping.shift, mapping.shift + mapping.repeat),
                   high = glm::max(mapping.shift, mapping.shift + mapping.repeat);

@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <string>
 
 namespace relief {
 
@@ -39,11 +40,17 @@ private:
     int version_ = 0;
 };
 
-/// Returns whether a file's name ends in .obj, in any case.
-inline bool is_named_as_model(const std::filesystem::path& file) {
+/// Returns the ending of a file's name, such as ".obj", in lower case.
+inline std::string lower_ending(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return ending == ".obj";
+    return ending;
+}
+
+/// Returns whether a file's name ends in .obj, .gltf or .glb, in any case.
+inline bool is_named_as_model(const std::filesystem::path& file) {
+    const std::string ending = lower_ending(file);
+    return ending == ".obj" || ending == ".gltf" || ending == ".glb";
 }
 
 }  // namespace relief

@@ -83,7 +83,7 @@ Mesh DisplacedSurface::mesh() const {
         case own:
             break;
     }
-    Mesh mesh = shape == own ? with_face_tangents(own_.mesh()) : read_urn();
+    Mesh mesh = shape == own ? own_.mesh_with_tangents() : read_urn();
     for (Vertex& vertex : mesh.vertices) vertex.uv *= tiles;
     return mesh;
 }

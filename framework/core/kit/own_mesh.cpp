@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "framework/core/base/error.h"
+#include "framework/core/image/file.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/mesh/gltf.h"
 #include "framework/core/mesh/shapes.h"
 #include "framework/core/mesh/uv_tangents.h"
 
@@ -15,6 +18,18 @@ namespace {
 glm::dvec3 twice_area(const Mesh& mesh, size_t first_index) {
     const auto corner = [&](size_t i) { return glm::dvec3(mesh.vertices[mesh.indices[first_index + i]].position); };
     return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+}
+
+struct Bounds {
+    glm::dvec3 low, high;
+};
+Bounds bounds_of(const Mesh& mesh) {
+    Bounds bounds{glm::dvec3(INFINITY), glm::dvec3(-INFINITY)};
+    for (const uint32_t index : mesh.indices) {
+        const glm::dvec3 position(mesh.vertices[index].position);
+        bounds.low = glm::min(bounds.low, position), bounds.high = glm::max(bounds.high, position);
+    }
+    return bounds;
 }
 
 /// Sets uv in units of `side`, from 0 at the lower left corner of each side of the bounding box. A vertex of triangles
@@ -47,25 +62,45 @@ Mesh with_projected_uv(const Mesh& mesh, const glm::dvec3& half, double side) {
     return result;
 }
 
+/// Returns the picture of a model's normal map, with its scale in x and y.
+Image decoded_normals(const GltfModel& model) {
+    Image picture;
+    try {
+        picture = decode_image(model.normal_map);
+        if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
+    } catch (const Error& error) {
+        throw Error(std::string("its normal map: ") + error.what());
+    }
+    picture = channels_of(picture, 0, 3);
+    for (size_t i = 0; i < picture.values.size(); i += 3) {
+        float* const texel = &picture.values[i];
+        glm::dvec3 normal = 2.0 * glm::dvec3(texel[0], texel[1], texel[2]) - 1.0;
+        normal.x *= model.normal_scale, normal.y *= model.normal_scale;
+        const double length = glm::length(normal);
+        const bool is_normal = std::isfinite(length) && length > 0;
+        if (is_normal && model.normal_scale == 1) continue;
+        for (int c = 0; c < 3; ++c) texel[c] = is_normal ? float(0.5 * normal[c] / length + 0.5) : c == 2 ? 1 : 0.5f;
+    }
+    return picture;
+}
+
 }  // namespace
 
-Mesh prepared_model(ObjModel model, double radius) {
-    glm::dvec3 low(INFINITY), high(-INFINITY);
-    for (const uint32_t index : model.mesh.indices) {
-        const glm::dvec3 position(model.mesh.vertices[index].position);
-        low = glm::min(low, position), high = glm::max(high, position);
-    }
-    const glm::dvec3 middle = 0.5 * (low + high);
-    const double half_diagonal = glm::length(0.5 * (high - low));
+Placement placement_of(const Mesh& mesh, double radius) {
     bool has_area = false;
-    for (size_t i = 0; i < model.mesh.indices.size() && !has_area; i += 3)
-        has_area = glm::length(twice_area(model.mesh, i)) > 0;
+    for (size_t i = 0; i < mesh.indices.size() && !has_area; i += 3) has_area = glm::length(twice_area(mesh, i)) > 0;
     if (!has_area) throw Error("has no area: the corners of each triangle lie on a line");
-    const double scale = radius / half_diagonal;
-    for (Vertex& vertex : model.mesh.vertices) vertex.position = scale * (glm::dvec3(vertex.position) - middle);
-    if (model.has_uvs) return std::move(model.mesh);
-    const glm::dvec3 half = 0.5 * scale * (high - low);
-    return with_projected_uv(model.mesh, half, 2 * std::max({half.x, half.y, half.z}));
+    const auto [low, high] = bounds_of(mesh);
+    return {0.5 * (low + high), radius / glm::length(0.5 * (high - low))};
+}
+
+Mesh prepared_model(Mesh mesh, bool has_uvs, double radius) {
+    const auto [middle, scale] = placement_of(mesh, radius);
+    for (Vertex& vertex : mesh.vertices) vertex.position = scale * (glm::dvec3(vertex.position) - middle);
+    if (has_uvs) return mesh;
+    const auto [low, high] = bounds_of(mesh);
+    const glm::dvec3 size = high - low;
+    return with_projected_uv(mesh, 0.5 * size, std::max({size.x, size.y, size.z}));
 }
 
 Mesh with_face_tangents(const Mesh& mesh) {
@@ -91,9 +126,21 @@ double metres_per_uv(const Mesh& mesh) {
 }
 
 void OwnMesh::load(const std::filesystem::path& file) {
-    ObjModel model = read_obj(file, limits);
+    GltfModel model;
+    if (is_named_as_gltf(file)) {
+        model = read_gltf(file, limits);
+    } else {
+        ObjModel obj = read_obj(file, limits);
+        model = {std::move(obj.mesh), obj.has_uvs};
+    }
     try {
-        mesh_ = prepared_model(std::move(model), radius_);
+        std::optional<Image> normal_map;
+        if (!model.normal_map.empty()) normal_map = decoded_normals(model);
+        const Placement placement = placement_of(model.mesh, radius_);
+        mesh_ = prepared_model(std::move(model.mesh), model.has_uvs, radius_);
+        placement_ = placement;
+        has_tangents_ = model.has_tangents && model.has_uvs;  // tangents follow uv
+        normal_map_ = std::move(normal_map);
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }

@@ -1,7 +1,10 @@
-// A model of the user, which a knob accepts in addition to its named shapes: --set shape=FILE.obj.
+// A model of the user, which a knob accepts in addition to its named shapes: --set shape=FILE.obj, or a glTF file.
 #pragma once
 
+#include <optional>
+
 #include "framework/core/base/own_file.h"
+#include "framework/core/image/image.h"
 #include "framework/core/mesh/mesh.h"
 #include "framework/core/mesh/obj.h"
 
@@ -9,11 +12,18 @@ namespace relief {
 
 /// Prepares a model for a lab:
 /// - moves it so that the middle of its bounding box is the origin, and scales the box's half diagonal to `radius`;
-/// - makes uv if some are missing: each triangle is projected along the axis that its normal is nearest to, so that u
+/// - makes uv if it has none: each triangle is projected along the axis that its normal is nearest to, so that u
 ///   grows to the right and v up, and the longest side of the bounding box is one unit.
-/// read_obj() makes missing normals. Vertices have no useful tangents: see with_face_tangents(). Throws Error without a
-/// place if no triangle has an area.
-Mesh prepared_model(ObjModel model, double radius);
+/// Normals and tangents stay. Throws Error without a place if no triangle has an area.
+Mesh prepared_model(Mesh mesh, bool has_uvs, double radius);
+
+/// Where a file's positions are in a lab: scale * (position - middle).
+struct Placement {
+    glm::dvec3 middle{};
+    double scale = 1;
+};
+/// Returns the placement that prepared_model() applies. Throws as it does.
+Placement placement_of(const Mesh& mesh, double radius);
 
 /// Returns the mesh with a vertex for each corner, which has the tangent of its triangle, made perpendicular to the
 /// corner's normal. A triangle without area in uv keeps the tangents that it has.
@@ -28,10 +38,17 @@ public:
     /// `radius` of the lab's view, metres: see prepared_model().
     explicit OwnMesh(double radius) : radius_(radius) {}
 
-    const char* kind() const override { return "an OBJ file"; }
+    const char* kind() const override { return "an OBJ or glTF file"; }
     bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
-    /// Returns the prepared model. Empty until a file has been read.
+    /// Returns the prepared model. Empty until a file has been read. Its tangents are of use if has_tangents().
     const Mesh& mesh() const { return mesh_; }
+    /// Returns whether all of the file's vertices have tangents. Only glTF has them.
+    bool has_tangents() const { return has_tangents_; }
+    /// Returns the model with the file's tangents, or else with those of its triangles.
+    Mesh mesh_with_tangents() const { return has_tangents_ ? mesh_ : with_face_tangents(mesh_); }
+    /// Returns the normal map of the file's material. Only glTF has one.
+    const std::optional<Image>& normal_map() const { return normal_map_; }
+    const Placement& placement() const { return placement_; }
 
     /// Limits of a file: a lab draws it in each frame, on any machine, and may tessellate it.
     static constexpr ObjLimits limits{.bytes = size_t{64} << 20, .corners = 900'000};
@@ -41,6 +58,9 @@ private:
 
     const double radius_;
     Mesh mesh_;
+    Placement placement_;
+    bool has_tangents_ = false;
+    std::optional<Image> normal_map_;
 };
 
 }  // namespace relief

@@ -45,10 +45,11 @@ Mesh read_urn() {
 
 void ReliefSurface::knobs(Knobs& knobs) {
     knobs.group("Surface");
-    knobs.choice("surface", shape, base_shapes, "shape with the relief");
+    knobs.choice_or_file("surface", shape, own_, base_shapes, "shape with the relief");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 1, "depth of the relief, in widths of a tile");
-    knobs.steps("repeat", repeat, 1, 8, "repeats of the tile: per metre of wall, per third of the column");
+    knobs.steps("repeat", repeat, 1, 8,
+                "repeats of the tile: per metre of wall, per third of the column, per unit of a file's uv");
     knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile divided by its width: texels that are not square");
     knobs.slider("extent", extent, 0.25f, 64, "side of the wall, metres");
     knobs.toggle("mirror", mirror, "mirror the texture: u runs the other way");
@@ -57,20 +58,24 @@ void ReliefSurface::knobs(Knobs& knobs) {
 }
 
 const ReliefSurface::Shaped& ReliefSurface::shaped() const {
-    return shaped_.get({shape, extent}, [this]() -> Shaped {
+    return shaped_.get({shape, extent, own_.version()}, [this]() -> Shaped {
         return {shape == wall     ? make_quad({.width = extent, .height = extent})
                 : shape == column ? make_column(column_shape)
-                                  : read_urn(),
-                upload([this] { return mesh(); })};
+                : shape == urn    ? read_urn()
+                                  : own_.mesh_with_tangents(),
+                upload([this] { return mesh(); }), shape == own ? float(metres_per_uv(own_.mesh())) : 0};
     });
 }
 
 ReliefMapping ReliefSurface::mapping() const {
     const glm::vec2 metres = shape == wall     ? glm::vec2(extent)
                              : shape == column ? glm::vec2(around_column, column_shape.height)
-                                               : glm::vec2(around_urn, up_urn);
-    // A whole number of tiles around; on the wall, a tile is a metre wide.
-    const float tile = shape == wall ? 1.0f / float(repeat) : metres.x / float(3 * repeat);
+                             : shape == urn    ? glm::vec2(around_urn, up_urn)
+                                               : glm::vec2(shaped().own_metres);
+    // A whole number of tiles around; on the wall, a tile is a metre wide, and on an own model a unit of its uv.
+    const float tile = shape == wall  ? 1.0f / float(repeat)
+                       : shape == own ? metres.x / float(repeat)
+                                      : metres.x / float(3 * repeat);
     glm::vec2 tiles = metres / glm::vec2(tile, tile * stretch);
     if (mirror) tiles.x = -tiles.x;
     // At 10,000 tiles, a float is wrong by a quarter of a texel. A map that repeats looks the same without whole tiles.

@@ -3,6 +3,7 @@
 
 #include "framework/core/height/skips.h"
 #include "framework/core/kit/kept.h"
+#include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/relief_material.h"
 #include "framework/core/lab/lab.h"
 #include "framework/core/mesh/relief.h"
@@ -14,15 +15,17 @@ Mesh read_urn();
 
 class ReliefSurface {
 public:
-    enum Shape { wall, column, urn };
+    enum Shape { wall, column, urn, own };
     static constexpr float column_radius = 0.5f, column_height = 2;  ///< metres
+    static constexpr double own_radius = 1.2;  ///< half the diagonal of an own model's bounding box, metres
 
     void knobs(Knobs& knobs);
 
     const Image& heights() const { return material.heights(); }
     const Mesh& mesh() const { return shaped().mesh; }
     ReliefMapping mapping() const;
-    int version() const { return material.version(); }
+    /// Increases when heights() or an own model's mesh() change.
+    int version() const { return material.version() + own_.version(); }
 
     /// Sets the uniforms of shaders/common/relief.vert and the stages after it. Binds s_heights to unit 0, s_albedo to
     /// 1, s_normals to 2. Preconditions: the program is in use, and the viewport is the frame's.
@@ -56,10 +59,12 @@ private:
     struct Shaped {
         Mesh mesh;
         GpuMesh uploaded;
+        float own_metres;  ///< a unit of an own model's uv; 0 for other shapes
     };
     const Shaped& shaped() const;
-    mutable Kept<Shaped, int, float> shaped_;  ///< inputs: shape and extent
-    mutable Kept<Windows, int> windows_;       ///< input: the material's version
+    OwnMesh own_{own_radius};
+    mutable Kept<Shaped, int, float, int> shaped_;  ///< inputs: shape, extent and version of the own model
+    mutable Kept<Windows, int> windows_;            ///< input: version()
 };
 
 }  // namespace relief

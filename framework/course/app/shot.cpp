@@ -11,6 +11,7 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/visualize.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/course/app/shot.h"
 #include "framework/course/app/shot_options.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct ShotArguments {
     std::string lab, output, size, time, context = "auto", probe, truth, error, check, mistake;
+    bool map = false;
     ShotOptions options;
 };
 
@@ -30,17 +32,19 @@ double parse_time(const std::string& text) {
     return *time;
 }
 
-enum class Show { picture, probe, truth, error };
+enum class Show { picture, probe, truth, error, map };
 
 Show what_to_show(const ShotArguments& arguments, Probe& probe) {
     if (!arguments.mistake.empty() && !arguments.truth.empty())
         throw UsageError("--mistake changes the drawn picture, so it does not go with --truth");
     const std::pair<Show, std::string> wanted[] = {
         {Show::probe, arguments.probe}, {Show::truth, arguments.truth}, {Show::error, arguments.error}};
-    Show show = Show::picture;
+    if (arguments.map && !arguments.mistake.empty())
+        throw UsageError("--mistake changes the drawn picture, so it does not go with --map");
+    Show show = arguments.map ? Show::map : Show::picture;
     for (const auto& [one, name] : wanted) {
         if (name.empty()) continue;
-        if (show != Show::picture) throw UsageError("give only one of --probe, --truth and --error");
+        if (show != Show::picture) throw UsageError("give only one of --probe, --truth, --error and --map");
         show = one;
         probe.name = name;
     }
@@ -62,7 +66,8 @@ int take_shot(const ShotArguments& arguments) {
     arguments.options.apply(shot);
 
     const bool to_standard_output = arguments.output == "-";
-    const std::string output = arguments.output.empty() ? entry.folder + ".png" : arguments.output;
+    const std::string usual = entry.folder + (show == Show::map ? "-map.png" : ".png");
+    const std::string output = arguments.output.empty() ? usual : arguments.output;
     const ImageFormat format =
         to_standard_output ? (shot.probe ? ImageFormat::pfm : ImageFormat::ppm) : format_of(output);
     const bool floats = format == ImageFormat::exr || format == ImageFormat::pfm;
@@ -110,6 +115,11 @@ int take_shot(const ShotArguments& arguments) {
             mark_one_sided(image, drawn, expected, scale);
             image = visualize_error(image, scale);
         }
+    } else if (show == Show::map) {
+        shot.probe = {};
+        context = open_context(choice);
+        draw_shot(*lab, shot);
+        image = map_of(*lab);
     } else {
         context = open_context(choice);
         image = draw(floats);
@@ -117,11 +127,12 @@ int take_shot(const ShotArguments& arguments) {
     if (!floats && (show == Show::probe || show == Show::truth))
         image = visualize_probe(image, manifest.probe(shot.probe.name).colors());
 
+    const ColorSpace space = show == Show::map ? ColorSpace::linear : ColorSpace::srgb;
     if (to_standard_output) {
-        write_standard_output(encode_image(image, format));
+        write_standard_output(encode_image(image, format, {}, space));
         print_event("written");
     } else {
-        write_image(output, image);
+        write_image(output, image, {}, space);
         print_event("written: " + output);
         fmt::print("{}\n{}", output, summary);
     }
@@ -160,6 +171,7 @@ public:
         options.value("--probe", "NAME", shot_.probe, "a quantity as the shader computes it, instead of the picture");
         options.value("--truth", "NAME", shot_.truth, "the exact value of that probe");
         options.value("--error", "NAME", shot_.error, "how far that probe is from its exact value");
+        options.flag("--map", shot_.map, "the map that the lab makes, 16 bits, instead of the picture: 03, 07 and 09");
         if (draw_with_mistake)
             options.value("--mistake", "ID", shot_.mistake,
                           "draw with a known mistake: an id from the lab's staff/grading.toml");

@@ -21,6 +21,8 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
+#include "framework/core/kit/made_map.h"
+#include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_view.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_error.h"
@@ -184,6 +186,7 @@ private:
         checks_.open(entry, stage_.manifest());
         check_view_.close();
         explanation_.close();
+        brush_.forget();
         wipe_.let_go();
         opened_ = glfwGetTime(), edits_ = settled_ = stage_.edits();
         history_.begin(stage_.settings());
@@ -240,7 +243,7 @@ private:
         moved_ = now;
         for (const std::filesystem::path& file : window_.take_files()) take(file);
         draw_header(layout.header, scale_, stage_, checks_, wish);
-        panel_.draw(layout.panel, stage_, motion_, checks_, check_view_.name(), error_map_.on(), wish);
+        panel_.draw(layout.panel, stage_, motion_, checks_, check_view_.name(), error_map_.on(), brush_, wish);
         status_.draw(layout.status, scale_, stage_, message_);
         handout_.draw(layout.handout, scale_,
                       handout_.is_open() && stage_.lab() ? describe_knobs(*stage_.lab()) : std::vector<KnobText>(),
@@ -250,6 +253,8 @@ private:
         // A change of a knob is meant for the picture, so leave the check.
         if (stage_.edits() != edits_ && check_view_.is_open() && !wish.check) check_view_.close();
         edits_ = stage_.edits();
+        if (!check_view_.is_open() && !ImGui::GetIO().WantCaptureMouse)
+            brush_.draw_ring(stage_, picture.at, pixel_under_mouse());
         check_view_.draw(picture, scale_, checks_, wish);
         search_.draw(scale_, stage_, checks_, wish);
         draw_help(picture, scale_, help_);
@@ -347,6 +352,9 @@ private:
         if (wish.step) step(wish.step);
         if (wish.handout) toggle_handout();
         if (wish.error_map) error_map_.toggle();
+        if (wish.save_map) save_map();
+        if (wish.save_heights) save_heights();
+        if (!wish.message.empty()) message_ = wish.message;
         if (wish.tasks) panel_.show_checks();
         if (wish.check) show_check(*wish.check);
         if (!wish.probe.empty()) stage_.show({wish.probe});
@@ -397,6 +405,11 @@ private:
         if (const Error* const error = stage_.error(); error && key.name == "e" && !error->place().file.empty())
             wish.edit = error->place();
         if (ImGui::GetIO().WantTextInput) return;  // a text field has its own undo
+        if (brush_.is_on()) {
+            if (key.name == "z" && !brush_.undo(stage_)) message_ = "no stroke to take back";
+            if (key.name == "y") brush_.redo(stage_);
+            return;
+        }
         if (key.name == "z") go_to(history_.undo());
         if (key.name == "y") go_to(history_.redo());
     }
@@ -495,6 +508,7 @@ private:
             wish.check = "";
             return;
         }
+        if (key == GLFW_KEY_ESCAPE && brush_.is_on()) return void(brush_.toggle(stage_));
         if (key == GLFW_KEY_ESCAPE && wipe_.on()) return wipe_.let_go();
         if (key == GLFW_KEY_ESCAPE && motion_.is_on()) return motion_.stop();
         if (handout_.is_open() && press_in_handout(key)) return;
@@ -513,6 +527,16 @@ private:
             case GLFW_KEY_S:
             case GLFW_KEY_F12:
                 save();
+                break;
+            case GLFW_KEY_M:
+                save_map();
+                break;
+            case GLFW_KEY_N:
+                save_heights();
+                break;
+            case GLFW_KEY_B:
+                if (!brush_.toggle(stage_)) message_ = "this lab has no heights to paint";
+                check_view_.close();
                 break;
             case GLFW_KEY_F1:
                 toggle_handout();
@@ -560,13 +584,29 @@ private:
         if (io.WantCaptureMouse) return;
         Orbit& camera = stage_.camera();
         const Orbit before = camera;
-        if (io.MouseDown[0]) {
+        if (brush_.is_on() && !check_view_.is_open()) {
+            paint();
+        } else if (io.MouseDown[0]) {
             camera.yaw -= 0.3 * double(io.MouseDelta.x);
             camera.pitch = std::clamp(camera.pitch + 0.3 * double(io.MouseDelta.y), -89.0, 89.0);
         }
         if (io.MouseDown[1] || io.MouseDown[2]) pan(camera, io.MouseDelta.x, io.MouseDelta.y);
         camera.distance = std::clamp(camera.distance * std::pow(0.9, double(io.MouseWheel)), 1e-3, 1e6);
         if (!(camera == before)) stage_.changed();
+    }
+
+    /// Returns the place of the mouse in the picture, in pixels from its upper left corner.
+    glm::dvec2 pixel_under_mouse() const {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        return glm::dvec2(double(mouse.x), double(mouse.y)) - glm::dvec2(noted_.at) + 0.5;
+    }
+    void paint() {
+        try {
+            brush_.move(stage_, pixel_under_mouse(), ImGui::GetIO().MouseDown[0]);
+        } catch (const Error& error) {
+            message_ = error.what();
+            print_error(message_);
+        }
     }
 
     // Keeps the point under the mouse in place.
@@ -583,7 +623,7 @@ private:
             if (!stage_.lab()) return;
             const std::string knob = set_file(*stage_.lab(), file);
             message_ = knob.empty() ? stage_.manifest().title +
-                                          (is_named_as_model(file) ? " takes no OBJ file" : " takes no picture")
+                                          (is_named_as_model(file) ? " takes no model" : " takes no picture")
                                     : knob + ": " + file.filename().string();
             if (!knob.empty()) stage_.changed();
         } catch (const Error& error) {
@@ -593,11 +633,34 @@ private:
     }
 
     void save() {
+        save_as("", ColorSpace::srgb, [this] { return stage_.picture(); });
+    }
+    /// Saves the map that the lab makes, with 16 bits.
+    void save_map() {
+        save_as("-map", ColorSpace::linear, [this] {
+            if (!stage_.lab() || !stage_.framebuffer()) throw Error("there is no map to save");
+            return map_of(*stage_.lab());
+        });
+    }
+    /// Saves the heights that the lab shows, painted or not, with 16 bits.
+    void save_heights() {
+        save_as("-heights", ColorSpace::linear, [this] {
+            auto* const lab = dynamic_cast<Paintable*>(stage_.lab());
+            if (!lab || !stage_.framebuffer()) throw Error("this lab has no heights to save");
+            Image heights = lab->painted_heights();
+            for (float& height : heights.values) height = std::clamp(height, 0.0f, 1.0f);
+            heights.bits = 16;
+            return heights;
+        });
+    }
+    /// Saves a picture under the next free name, and says which.
+    template <class Make>
+    void save_as(const char* what, ColorSpace space, Make make) {
         try {
             int number = 1;
-            const auto name = [&] { return fmt::format("{}-{}.png", stage_.entry().folder, number); };
+            const auto name = [&] { return fmt::format("{}{}-{}.png", stage_.entry().folder, what, number); };
             while (std::filesystem::exists(name())) ++number;
-            write_image(name(), stage_.picture());
+            write_image(name(), make(), {}, space);
             message_ = "saved " + name();
             fmt::print("{}\n", name());
             std::fflush(stdout);
@@ -624,6 +687,7 @@ private:
     Motion motion_;
     History history_;
     Wipe wipe_;
+    Brush brush_;
     bool help_ = false, is_told_ = false;  ///< help is open; the "drawing ..." note has been shown
     Box noted_;
     int64_t edits_ = 0, settled_ = 0;  ///< stage.edits() seen so far; stage.edits() at the last step of undo

@@ -24,6 +24,9 @@ constexpr Line looks[] = {{"click", "hold the values of the pixel under the mous
                           {"P", "follow the pixel under the mouse through the task's functions"},
                           {"E", "error map"},
                           {"S, F12", "save the picture"},
+                          {"M", "save the map that the lab makes, as PNG of 16 bits"},
+                          {"B", "a brush for the heights (lab 03): a drag paints, Ctrl+Z takes a stroke back"},
+                          {"N", "save the heights, as PNG of 16 bits"},
                           {"H", "the picture alone, without header, panel and status"}};
 constexpr Line places[] = {{"Home", "all labs, with a picture and the points of each"},
                            {"left, right", "the lab before, the next lab"},
@@ -73,7 +76,7 @@ void draw_help(const Box& picture, float scale, bool& open) {
     draw_lines("Labs and the window", places, keys_width);
     quiet_text(
         "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
-        "the lab's map, and an OBJ file its shape.");
+        "the lab's map, and an OBJ or glTF file its shape.");
     if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
     ImGui::End();
 }

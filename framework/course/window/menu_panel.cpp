@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "framework/core/kit/made_map.h"
+#include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_list.h"
 #include "framework/course/window/menu_knobs.h"
 #include "framework/course/window/menu_stage.h"
@@ -36,7 +38,7 @@ bool Panel::begin_tab(const char* name) {
 }
 
 void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& checks, const std::string& check,
-                 bool error_map, MenuWish& wish) {
+                 bool error_map, Brush& brush, MenuWish& wish) {
     if (box.size.x == 0) return;
     begin_in(box, "panel", ImGui::GetStyle().WindowPadding, false);
     if (ImGui::BeginTabBar("tabs")) {
@@ -50,9 +52,17 @@ void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& che
         };
         scrolled("Knobs", [&] {
             if (!stage.lab()) return;
+            const bool paints = brush.is_on();  // its settings are then at hand
+            if (paints) brush.draw(stage, wish);
             draw_knobs(stage, motion, seek_);
             ImGui::Dummy({0, 6});
             draw_probes(stage, error_map, wish);
+            ImGui::Dummy({0, 6});
+            if (!paints) brush.draw(stage, wish);
+            if (dynamic_cast<MapMaker*>(stage.lab())) {
+                if (ImGui::Button("Save map")) wish.save_map = true;
+                tooltip("Saves the map that the lab makes, as PNG of 16 bits, under a new name (M).");
+            }
         });
         scrolled("Checks", [&] { draw_check_list(checks, check, wish); });
         ImGui::EndTabBar();

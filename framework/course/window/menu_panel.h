@@ -8,6 +8,7 @@
 
 namespace relief::window {
 
+class Brush;
 class Checks;
 class Motion;
 class Stage;
@@ -16,7 +17,7 @@ class Panel {
 public:
     /// Draws the panel. Knobs and probe change the stage at once. `check` is the name of the check on screen, or empty.
     void draw(const Box& box, Stage& stage, Motion& motion, const Checks& checks, const std::string& check,
-              bool error_map, MenuWish& wish);
+              bool error_map, Brush& brush, MenuWish& wish);
 
     void show_knobs() { wanted_ = "Knobs"; }
     void show_checks() { wanted_ = "Checks"; }

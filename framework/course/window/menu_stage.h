@@ -1,6 +1,7 @@
 // The lab that the menu shows, redrawn only after a change or in an animation. In the window module only.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/shot.h"
 
 namespace relief::window {
 
@@ -39,6 +41,13 @@ public:
 
     /// Call it after a knob or the camera has moved.
     void changed() { stale_ = true, ++edits_; }
+    /// Call it after the lab's picture has changed for another reason.
+    void redraw() { stale_ = true; }
+    /// Returns the frame of the picture, without its target.
+    Frame frame() const {
+        return {0, shot_.size, shot_.time, Camera(shot_.camera, double(shot_.size.x) / std::max(1, shot_.size.y)),
+                shot_.probe};
+    }
     /// Number of changes by the user.
     int64_t edits() const { return edits_; }
     /// The knobs of this lab with their default values.

@@ -15,6 +15,9 @@ struct MenuWish {
     bool handout = false, error_map = false;  ///< toggle
     bool help = false, search = false;        ///< toggle
     bool labs = false;                        ///< open the start page
+    bool save_map = false;                    ///< save the map that the lab makes
+    bool save_heights = false;                ///< save the heights that the lab shows
+    std::string message = {};                 ///< show this in the status line
     bool tasks = false;                       ///< open the panel's checks
     std::optional<std::string> check = {};    ///< show this check; "": the picture again
     std::string knob = {}, probe = {};        ///< show the slider of this knob; show this probe

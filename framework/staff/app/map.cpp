@@ -13,7 +13,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
-#include "framework/core/mesh/obj.h"
+#include "framework/core/mesh/gltf.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/staff/reference/bake.h"
@@ -136,11 +136,17 @@ Image gloss_from_color(const Image& picture, bool inverted) {
     return gloss;
 }
 
-/// Returns the coarse model of a bake, with tangents by MikkTSpace.
+GltfModel read_model(const std::string& file) {
+    if (is_named_as_gltf(file)) return read_gltf(file);
+    ObjModel model = read_obj(file);
+    return {std::move(model.mesh), model.has_uvs};
+}
+
+/// Returns the coarse model of a bake, with the tangents in its file, or else those of MikkTSpace.
 Mesh read_coarse(const std::string& file) {
-    const ObjModel model = read_obj(file);
+    GltfModel model = read_model(file);
     if (!model.has_uvs) throw Error({file}, "has no uv: they are the places of its surface on the map");
-    return with_tangents(model.mesh, TangentMethod::mikktspace);
+    return model.has_tangents ? std::move(model.mesh) : with_tangents(model.mesh, TangentMethod::mikktspace);
 }
 
 /// Shows the progress of work in parts.
@@ -171,7 +177,7 @@ public:
         options.word("KIND", kind_, "normal, heights, occlusion, gloss, combine, bc5 or bake");
         options.words("FILE", files_,
                       "a height map; a picture (heights, gloss); 1 to 4 channels (combine); a normal map (bc5); "
-                      "FINE.obj COARSE.obj (bake)");
+                      "FINE.obj COARSE.obj, or .gltf or .glb (bake)");
         options.value("-o", "FILE", output_, "the map: .png, .exr, .ppm or .pfm; .dds (bc5)");
         for (const Option& option : options_) {
             const std::string& help = helps_.emplace_back(fmt::format("{}: {}", option.kinds, option.help));
@@ -193,9 +199,9 @@ public:
                 "gloss is the luminance (Rec. 709) in linear light: bright is smooth. It is a guess, since a picture\n"
                 "does not show how rough a surface is. --invert takes bright places for rough.\n"
                 "bake casts a ray through each texel of COARSE along its normal, and takes the nearest front of FINE.\n"
-                "A ray that misses gives the coarse normal, or height 0. All texels between the islands are filled. "
-                "The\n"
-                "tangent frame is that of MikkTSpace. Heights are stored from 0 (lowest) to 1 (highest).\n"
+                "A ray that misses gives the coarse normal, or height 0. All texels between the islands are filled.\n"
+                "The tangents are those of a glTF file that has them, or else MikkTSpace's. Heights are stored from 0\n"
+                "(lowest) to 1 (highest).\n"
                 "Numbers are stored as they are, without a colour space. `relief inspect` says what a map is.");
         });
     }
@@ -371,7 +377,7 @@ private:
         const bool is_up = is_green_up();
         if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
-        const Mesh fine = read_obj(files_[0]).mesh, coarse = read_coarse(files_[1]);
+        const Mesh fine = read_model(files_[0]).mesh, coarse = read_coarse(files_[1]);
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");
         options.before_part = progress.before_part();

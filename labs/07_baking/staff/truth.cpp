@@ -13,10 +13,7 @@ namespace {
 
 struct Scene {
     explicit Scene(const Recipe& of, bool other_diagonal)
-        : recipe(of),
-          high(make_high(of.model, high_finenesses[size_t(of.high)], of.cord, of.sculpt)),
-          low(make_low(of.model, low_finenesses[size_t(of.low)], of.overlapping, other_diagonal)),
-          high_tree(build_tree(high)) {}
+        : recipe(of), high(of.high_mesh()), low(of.low_mesh(other_diagonal)), high_tree(build_tree(high)) {}
 
     const Recipe& recipe;
     Mesh high, low;

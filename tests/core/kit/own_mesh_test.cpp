@@ -36,14 +36,14 @@ Sums sums_of(const Mesh& mesh) {
 }
 
 TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
-    const Mesh mesh = prepared_model(parse_obj(box), std::sqrt(21.0));  // twice the half diagonal of 4 x 2 x 1
+    const Mesh mesh = prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0));  // twice the half diagonal of 4 x 2 x 1
     const Sums sums = sums_of(mesh);
     EXPECT_LT(glm::distance(sums.low, {-4, -2, -1}), 1e-6);
     EXPECT_LT(glm::distance(sums.high, {4, 2, 1}), 1e-6);
 }
 
 TEST(OwnMesh, WithoutUvIsProjectedAlongItsAxesAsTheCoursesBoxIs) {
-    const Mesh mesh = with_face_tangents(prepared_model(parse_obj(box), std::sqrt(21.0)));
+    const Mesh mesh = with_face_tangents(prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0)));
     const Mesh wanted = make_box({.size = {8, 4, 2}});
     for (const Vertex& vertex : mesh.vertices) {
         const auto same = [&](const Vertex& other) {
@@ -67,7 +67,7 @@ TEST(OwnMesh, KeepsItsUvAndSharedVerticesAndHasLeftHandedFramesWhereTheyAreMirro
     const char* const quads =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\n"
         "f 1/1 2/2 3/3 4/4\nf 2/2 5/1 6/4 3/3\n";
-    const Mesh shared = prepared_model(parse_obj(quads), 1);
+    const Mesh shared = prepared_model(parse_obj(quads).mesh, true, 1);
     EXPECT_EQ(shared.vertices.size(), 6u) << "the mean of tangents at a vertex is a task of lab 05";
     EXPECT_EQ(sums_of(shared).area_in_uv, 0) << "9 and -9";
     const Mesh mesh = with_face_tangents(shared);

@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
+#include "framework/core/base/file.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/mesh/shapes.h"
+#include "framework/staff/reference/tangents.h"
+#include "tests/core/mesh/gltf_file.h"
 #include "tests/course/app/course_copy.h"
 
 namespace relief::app {
@@ -16,7 +20,10 @@ class OwnFiles : public testing::Test {
 protected:
     TemporaryFolder folder_;
 
-    void SetUp() override { write_model("cube.obj", make_box({.size = {4, 4, 4}, .cells = {2, 2, 2}})); }
+    void SetUp() override {
+        const Mesh cube = make_box({.size = {4, 4, 4}, .cells = {2, 2, 2}});
+        write_model("cube.obj", cube), write_glb("cube.glb", cube);
+    }
 
     /// Writes a model far from the origin, with its uv and normals.
     void write_model(const std::string& name, const Mesh& mesh) const {
@@ -41,6 +48,9 @@ protected:
         const Result result = shot(lab, set, more);
         EXPECT_EQ(result.code, 0) << result.err;
         return result.code == 0 ? read_image(folder_.path() / "picture.exr") : Image(1, 1, 3);
+    }
+    void write_glb(const std::string& name, const Mesh& mesh, const std::string& normal_map = "") const {
+        folder_.write(name, gltf_of(mesh, normal_map).glb());
     }
     /// Writes a picture of one colour, 8 bits as sRGB stores them or light.
     void write_color(const std::string& name, glm::vec3 color, int bits) const {
@@ -78,6 +88,10 @@ TEST_F(OwnFiles, ACubeIsDrawnAsTheBoxOfTheLab) {
         const Image box = picture(lab, with_box, {"--camera", "30,20,4"});
         EXPECT_FALSE(is_one_color(box)) << lab;
         EXPECT_LT(share_apart(box, picture(lab, with_cube, {"--camera", "30,20,4"}), 0.02f), 0.002) << lab;
+        with_cube.back() = fmt::format("{}=cube.glb", knob);
+        // Lab 05 adds the angle to the file's tangents to its caption.
+        const double in_caption = lab == std::string("05") ? 0.03 : 0;
+        EXPECT_LT(share_apart(box, picture(lab, with_cube, {"--camera", "30,20,4"}), 0.02f), 0.002 + in_caption) << lab;
         EXPECT_GT(share_apart(box, picture(lab, with_sphere, {"--camera", "30,20,4"}), 0.02f), 0.05) << lab;
     }
 }
@@ -129,12 +143,18 @@ TEST_F(OwnFiles, AModelHasNoExactValuesButWhereTheyFollowFromItBeingClosed) {
 TEST_F(OwnFiles, ABrokenModelIsRefusedWithOneLine) {
     folder_.write("broken.obj", "v 0 0 0\nv 1 0 zero\nf 1 2 3\n");
     folder_.write("point.obj", "v 1 1 1\nf 1 1 1\n");
-    const std::pair<const char*, const char*> labs[] = {
-        {"05", "shape"}, {"06", "shape"}, {"13", "surface"}, {"14", "surface"}};
+    const std::string glb = gltf_of(make_box({})).glb();
+    folder_.write("short.glb", std::string_view(glb).substr(0, glb.size() - 9));
+    write_glb("map.glb", make_box({}), "not a picture");
+    const std::pair<const char*, const char*> labs[] = {{"05", "shape"},   {"06", "shape"},   {"07", "shape"},
+                                                        {"07", "fine"},    {"10", "surface"}, {"11", "surface"},
+                                                        {"12", "surface"}, {"13", "surface"}, {"14", "surface"}};
     for (const auto& [lab, knob] : labs) {
         const std::pair<const char*, const char*> files[] = {{"broken.obj", "broken.obj:2: "},
                                                              {"point.obj", "point.obj: has no area"},
-                                                             {"missing.obj", "missing.obj: cannot read"}};
+                                                             {"missing.obj", "missing.obj: cannot read"},
+                                                             {"short.glb", "short.glb: damaged: "},
+                                                             {"map.glb", "map.glb: its normal map: neither PNG"}};
         for (const auto& [file, words] : files) {
             const Result result = shot(lab, {fmt::format("{}={}", knob, file)}, {"-o", "o.png"});
             EXPECT_EQ(result.code, 1);
@@ -144,12 +164,136 @@ TEST_F(OwnFiles, ABrokenModelIsRefusedWithOneLine) {
         }
         const Result misspelt = shot(lab, {fmt::format("{}=spher", knob)}, {});
         EXPECT_EQ(misspelt.code, 2);
-        EXPECT_TRUE(contains(misspelt.err, "did you mean 'sphere'?")) << misspelt.err;
-        EXPECT_TRUE(contains(misspelt.err, ", or an OBJ file")) << misspelt.err;
+        const bool has_sphere = std::set<std::string>{"05", "06", "13", "14"}.contains(lab);
+        EXPECT_EQ(contains(misspelt.err, "did you mean 'sphere'?"), has_sphere) << misspelt.err;
+        EXPECT_TRUE(contains(misspelt.err, ", or an OBJ or glTF file")) << misspelt.err;
     }
     const Result analytic = shot("05", {"view=one", "method=analytic", "shape=cube.obj"}, {"-o", "o.png"});
     EXPECT_EQ(analytic.code, 1);
     EXPECT_TRUE(contains(analytic.err, "an own model has none")) << analytic.err;
+}
+
+TEST_F(OwnFiles, ARayMeetsTheReliefOnAModelWhereTheExactOneDoes) {
+    // A mirrored side, and plain ones.
+    Mesh model = make_box({.size = {2, 2, 2}});
+    for (size_t i = 0; i < 8; ++i) model.vertices[i].uv.x *= -1, model.vertices[i].tangent *= -1;
+    write_glb("model.glb", model);
+    write_model("plain.obj", model);  // its tangents are made from the uv
+    const std::pair<const char*, const char*> labs[] = {
+        {"10", "steps=256"}, {"11", "steps=256"}, {"12", "method=cones"}};
+    for (const auto& [lab, method] : labs) {
+        const auto values = [&](const char* file, const char* what) {
+            return picture(lab, {"view=one", method, "map=stones", fmt::format("surface={}", file)},
+                           {what, "uv", "--camera", "30,25,5"});
+        };
+        const Image drawn = values("model.glb", "--probe");
+        const auto share_off = [&](const Image& other) {
+            size_t seen = 0, off = 0;
+            for (size_t i = 0; i < drawn.values.size(); i += size_t(drawn.channels)) {
+                if (!std::isfinite(drawn.values[i]) || !std::isfinite(other.values[i])) continue;
+                ++seen, off += std::abs(drawn.values[i] - other.values[i]) > 1;  // texels
+            }
+            EXPECT_GT(seen, 2000u) << lab;
+            return double(off) / double(seen);
+        };
+        EXPECT_LT(share_off(values("model.glb", "--truth")), 0.03) << lab;
+        EXPECT_LT(share_off(values("plain.obj", "--probe")), 0.01) << lab;
+    }
+}
+
+TEST_F(OwnFiles, Lab05ShowsTheTangentsInAGltfFileAsTheyAre) {
+    Mesh quad = make_quad({.width = 2, .height = 2});
+    for (Vertex& vertex : quad.vertices) vertex.tangent = {0.6f, 0.8f, 0, 1};  // not along u
+    write_glb("quad.glb", quad);
+    const auto tangents = [&](const char* method) {
+        return picture("05", {"view=one", "shape=quad.glb", fmt::format("method={}", method)},
+                       {"--probe", "tangent", "--camera", "0,0,3"});
+    };
+    const Image of_file = tangents("file"), ours = tangents("mikktspace");
+    size_t seen = 0;
+    for (size_t i = 0; i < of_file.values.size(); i += size_t(of_file.channels)) {
+        if (!std::isfinite(of_file.values[i])) continue;
+        ++seen;
+        ASSERT_NEAR(of_file.values[i], 0.6f, 1e-3);
+        ASSERT_NEAR(of_file.values[i + 1], 0.8f, 1e-3);
+        ASSERT_NEAR(ours.values[i], 1, 1e-3);
+    }
+    EXPECT_GT(seen, 1000u);
+    const auto every = [&](const char* file) {
+        return picture("05", {fmt::format("shape={}", file), "lines=off"}, {"--camera", "0,0,3"});
+    };
+    write_model("quad.obj", quad);
+    const Image six = every("quad.glb"), five = every("quad.obj");
+    const auto last_tile = [](const Image& image) {
+        double most = 0;
+        for (int y = 80; y < 110; ++y)
+            for (int x = 120; x < 150; ++x) most = std::max(most, double(image.pixel(x, y)[0]));
+        return most;
+    };
+    EXPECT_GT(last_tile(six), 2 * last_tile(five)) << "a sixth picture, by the file's tangents";
+    const Result without = shot("05", {"view=one", "method=file", "shape=quad.obj"}, {"-o", "o.png"});
+    EXPECT_EQ(without.code, 1);
+    EXPECT_TRUE(contains(without.err, "method=file needs a glTF file with tangents")) << without.err;
+}
+
+TEST_F(OwnFiles, Lab06ShowsTheNormalMapInAGltfFile) {
+    const std::string bricks = read_file(std::string(source_folder) + "/assets/bricks_normal.png");
+    write_glb("bricks.glb", make_sphere({.sides = 24, .rows = 12}), bricks);
+    const auto with = [&](const char* map) {
+        return picture("06", {"view=one", "shape=bricks.glb", fmt::format("map={}", map)});
+    };
+    EXPECT_LE(difference(with("bricks"), with("model"), 1).largest, 1e-6);
+    EXPECT_GT(share_apart(with("one-texel"), with("model"), 0.05f), 0.05);
+    const auto of_cube = [&](const char* map) {
+        return picture("06", {"view=one", "shape=cube.glb", fmt::format("map={}", map)});
+    };
+    EXPECT_EQ(difference(of_cube("one-texel"), of_cube("model"), 1).largest, 0) << "without a map it is flat";
+}
+
+/// Returns the mean of the angles between the pixels' normals in two pictures, in degrees.
+double mean_angle(const Image& a, const Image& b) {
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < a.values.size(); i += size_t(a.channels)) {
+        if (!std::isfinite(a.values[i]) || !std::isfinite(b.values[i])) continue;
+        const auto normal = [&](const Image& image) {
+            return glm::normalize(glm::dvec3(image.values[i], image.values[i + 1], image.values[i + 2]));
+        };
+        sum += glm::degrees(std::acos(std::clamp(glm::dot(normal(a), normal(b)), -1.0, 1.0))), ++count;
+    }
+    EXPECT_GT(count, 1000u);
+    return sum / double(count);
+}
+
+TEST_F(OwnFiles, Lab07ReadsAModelBakedByMikkTSpaceRightOnlyInItsFrame) {
+    // A flat cube on one whose normals are averaged over three faces. Each face is a sixth of the map.
+    Mesh fine = make_box({.size = {4, 4, 4}}), coarse = fine;
+    for (size_t i = 0; i < coarse.vertices.size(); ++i) {
+        Vertex& vertex = coarse.vertices[i];
+        vertex.normal = glm::normalize(vertex.position);
+        const double face = double(i / 4);
+        vertex.uv = (glm::dvec2(std::fmod(face, 3), std::floor(face / 3)) + 0.1 + 0.8 * glm::dvec2(vertex.uv)) / 3.0;
+    }
+    coarse = with_tangents(coarse, TangentMethod::mikktspace);
+    write_glb("fine.glb", fine), write_glb("coarse.glb", coarse);
+    const Result baked =
+        run({relief_program(), "map", "bake", "fine.glb", "coarse.glb", "-o", "n.png", "--size", "512"},
+            {folder_.path(), {}});
+    ASSERT_EQ(baked.code, 0) << baked.err;
+    write_glb("baked.glb", coarse, read_file(folder_.path() / "n.png"));
+    const auto degrees = [&](const std::string& wears, const std::string& frame) {
+        const std::vector<std::string> set = {"view=one", "shape=baked.glb", "fine=fine.glb",
+                                              "level=0",  "wears=" + wears,  "frame=" + frame};
+        return mean_angle(picture("07", set, {"--probe", "normal"}), picture("07", set, {"--truth", "normal"}));
+    };
+    EXPECT_LT(degrees("file", "interpolated"), 0.5) << "8 bits";
+    EXPECT_LT(degrees("map", "interpolated"), 0.1) << "baked by the lab, in 16 bits";
+    // The lab's own cube: 5 degrees, from every side.
+    EXPECT_NEAR(degrees("file", "gram-schmidt"), 5, 1);
+    EXPECT_GT(degrees("nothing", "interpolated"), 20);
+    const Result without = shot("07", {"view=one", "wears=file", "shape=cube.glb"}, {"-o", "o.png"});
+    EXPECT_EQ(without.code, 1);
+    EXPECT_TRUE(contains(without.err, "wears=file needs a glTF file with a normal map")) << without.err;
 }
 
 TEST_F(OwnFiles, ColorsOfTheMapGivenAsAFileChangeNothing) {

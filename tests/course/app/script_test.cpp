@@ -387,6 +387,7 @@ TEST_F(Script, InstallsAndBuildsWhatTheCommandNeeds) {
     EXPECT_EQ(packages_and_targets({"shot", "01", "--set", "map=a.png"}), "libglm course");
     EXPECT_EQ(packages_and_targets({}), "libglm relief relief_converted_textures") << "there is no display";
     EXPECT_EQ(packages_and_targets({"inspect", "a photo.JPG"}), "libglm libopenimageio course");
+    EXPECT_EQ(packages_and_targets({"shot", "06", "--set", "shape=a model.glb"}), "libglm libopenimageio course");
     EXPECT_EQ(packages_and_targets({"grade", "x"}), "libglm libopenimageio libseccomp programs");
     EXPECT_EQ(packages_and_targets({"explain", "01", "--mistake=x"}), "libglm libopenimageio libseccomp programs");
     EXPECT_EQ(packages_and_targets({"build"}), "libglm libopenimageio libseccomp programs");

@@ -43,6 +43,50 @@ TEST_F(ShotCommand, WritesAPngAndPrintsItsName) {
     EXPECT_EQ(good_shot({}).out, "01_specular_highlights.png\n");
 }
 
+TEST_F(ShotCommand, WritesTheMapThatALabMakes) {
+    const auto map = [&](std::vector<std::string> more) {
+        std::vector<std::string> command = {relief_program(), "shot"};
+        command.insert(command.end(), more.begin(), more.end());
+        command.insert(command.end(), {"--map", "-o", "map.png"});
+        const Result result = run(command, {folder_.path(), {}});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.out, "map.png\n");
+        return read_image(file("map.png"));
+    };
+    const auto expect_unit_normals = [](const Image& image, const char* lab, double allowed = 1e-4) {
+        EXPECT_EQ(image.bits, 16) << lab;
+        ASSERT_EQ(image.channels, 3) << lab;
+        EXPECT_FALSE(is_one_color(image)) << lab;
+        double off = 0;
+        size_t count = 0;
+        for (size_t i = 0; i < image.pixel_count(); ++i) {
+            const glm::dvec3 stored(image.values[3 * i], image.values[3 * i + 1], image.values[3 * i + 2]);
+            if (stored == glm::dvec3(0)) continue;  // no island of lab 07
+            off += std::abs(glm::length(2.0 * stored - 1.0) - 1), ++count;
+        }
+        EXPECT_GT(count, image.pixel_count() / 2) << lab;
+        EXPECT_LT(off / double(count), allowed) << lab;
+    };
+    const Image waves = map({"03", "--set", "size=128", "--set", "filter=spline"});
+    EXPECT_EQ(waves.width, 128);
+    expect_unit_normals(waves, "03");
+    EXPECT_EQ(waves.values, map({"03", "--set", "size=128", "--set", "filter=spline", "--set", "view=one"}).values);
+    EXPECT_NE(waves.values, map({"03", "--set", "size=128", "--set", "filter=sobel"}).values);
+    const Image baked = map({"07", "--set", "map_size=128"});
+    EXPECT_EQ(baked.width, 128);
+    expect_unit_normals(baked, "07", 0.01);  // padding has means of normals, which are shorter
+    expect_unit_normals(map({"09", "--set", "view=faces", "--size", "128x96"}), "09");
+
+    const auto refused = [&](std::vector<std::string> command, const char* words) {
+        command.insert(command.begin(), {relief_program(), "shot"});
+        const Result result = run(command, {folder_.path(), {}});
+        EXPECT_EQ(result.code, 2);
+        EXPECT_TRUE(contains(result.err, words)) << result.err;
+    };
+    refused({"01", "--map"}, "this lab makes no map; these do: 03, 07, 09");
+    refused({"03", "--map", "--probe", "normal"}, "give only one of --probe, --truth, --error and --map");
+}
+
 TEST_F(ShotCommand, GivesTheSameBytesForTheSameTimeAndKnobs) {
     for (const char* name : {"a.png", "a.exr", "a.ppm", "a.pfm"}) {
         good_shot({"-o", name, "--set", "shininess=9", "--time", "2"});

@@ -48,11 +48,12 @@ protected:
     Screen screen_;
     Circumstances where_{folder_.path(),
                          {{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}};
+    std::string program_ = course_.program("relief");  ///< has labs 01 and 20
     std::unique_ptr<Process> window_;
 
     void open(const std::string& lab, const std::vector<std::string>& options = {}) {
         ASSERT_EQ(course_.failure, "");
-        std::vector<std::string> command = {course_.program("relief"), "run", lab, "--verbose"};
+        std::vector<std::string> command = {program_, "run", lab, "--verbose"};
         command.insert(command.end(), options.begin(), options.end());
         window_ = std::make_unique<Process>(command, where_);
         ASSERT_TRUE(eventually([&] { return !frames().empty(); })) << window_->err();
@@ -245,6 +246,67 @@ TEST_F(Window, TurningAKnobChangesThePicture) {
     const Image before = saved("20_test_wall-1.png");
     turn_a_knob();
     EXPECT_NE(saved("20_test_wall-2.png").values, before.values);
+}
+
+TEST_F(Window, MSavesTheMapUnderANewNameEachTime) {
+    program_ = relief_program();
+    open("03");
+    const auto map = [&](const char* name) {
+        press("m");
+        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(folder_.path() / name); })) << window_->err();
+        return read_all(folder_.path() / name);
+    };
+    const std::string first = map("03_height_to_normal-map-1.png");
+    EXPECT_EQ(map("03_height_to_normal-map-2.png"), first);
+    EXPECT_EQ(run({program_, "shot", "03", "--map", "-o", "same.png"}, where_).code, 0);
+    EXPECT_EQ(read_all(folder_.path() / "same.png"), first);
+    press_for("Right", "04_object_space");
+    press("m");
+    EXPECT_TRUE(eventually([&] { return count("this lab makes no map; these do: 03, 07, 09") == 1; }))
+        << window_->err();
+}
+
+TEST_F(Window, ABrushPaintsHeightsAndUndoTakesThemBack) {
+    program_ = relief_program();
+    open("03", {"--set", "view=one", "--set", "show=light", "--set", "source=bricks", "--set", "repeat=1"});
+    const auto file = [&](const char* key, const std::string& name) {
+        press(key);
+        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(folder_.path() / name); })) << window_->err();
+        return read_image(folder_.path() / name);
+    };
+    const std::string stem = "03_height_to_normal-";
+    const Image before = file("n", stem + "heights-1.png"), normals = file("m", stem + "map-1.png"),
+                picture = saved(stem + "1.png");
+    EXPECT_EQ(before.bits, 16);
+    EXPECT_EQ(before.channels, 1);
+    press("b");
+    const Place at = place();
+    const int x = at.x + at.width / 2, y = at.y + at.height / 2;
+    drag(x - 40, y, x + 40, y);
+    rest_the_mouse();
+    const Image after = file("n", stem + "heights-2.png"), bumped = file("m", stem + "map-2.png");
+    // The stroke is a strip of 40 texels. It is 6 above the middle, because the camera looks 5 cm above it.
+    double most = 0, aside = 0;
+    for (int v = 0; v < after.height; ++v)
+        for (int u = 0; u < after.width; ++u) {
+            const double change = *after.pixel(u, v) - *before.pixel(u, v);
+            EXPECT_GE(change, -1e-4);
+            (std::abs(v - after.height / 2) < 32 ? most : aside) =
+                std::max(std::abs(v - after.height / 2) < 32 ? most : aside, change);
+        }
+    EXPECT_GT(most, 0.05);
+    EXPECT_EQ(aside, 0);
+    EXPECT_NE(bumped.values, normals.values) << "normals follow";
+    EXPECT_NE(saved(stem + "2.png").values, picture.values);
+    press("ctrl+z");
+    EXPECT_EQ(file("n", stem + "heights-3.png").values, before.values);
+    EXPECT_EQ(saved(stem + "3.png").values, picture.values) << "the camera stayed";
+    press("ctrl+y");
+    EXPECT_EQ(file("n", stem + "heights-4.png").values, after.values);
+    press("Escape");
+    drag(x - 40, y, x + 40, y);
+    EXPECT_EQ(file("n", stem + "heights-5.png").values, after.values);
+    EXPECT_NE(saved(stem + "4.png").values, saved(stem + "2.png").values) << "the camera turned";
 }
 
 TEST_F(Window, SwitchingLabsAndBackRestoresThePictureAndLeaksNothing) {
