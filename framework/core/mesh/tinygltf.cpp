@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include <charconv>
+#include <cctype>
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -413,13 +413,15 @@ private:
 
 /// Returns the name of a file, in which %20 stands for a blank.
 std::string file_name(const std::string& uri) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const auto digit = [&](size_t i) {
+        return i < uri.size() ? digits.find(char(std::tolower(static_cast<unsigned char>(uri[i])))) : digits.npos;
+    };
     std::string name;
     for (size_t i = 0; i < uri.size(); ++i) {
-        int code = 0;
-        const char* const digits = uri.data() + std::min(i + 1, uri.size());
-        const char* const end = digits + std::min<size_t>(2, uri.size() - size_t(digits - uri.data()));
-        if (uri[i] == '%' && end - digits == 2 && std::from_chars(digits, end, code, 16).ptr == end)
-            name += char(code), i += 2;
+        const size_t high = digit(i + 1), low = digit(i + 2);
+        if (uri[i] == '%' && high != digits.npos && low != digits.npos)
+            name += char(16 * high + low), i += 2;
         else
             name += uri[i];
     }
