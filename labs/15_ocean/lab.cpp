@@ -62,6 +62,8 @@ public:
         knobs.slider("shininess", shininess_, 1, 4096, "exponent of the highlight of a single slope");
         knobs.toggle("lock", lock_, "normal maps lie as the height maps do; else they are tiled three times as often");
         knobs.choice("level", level_, levels, "mip level of the maps that a pixel reads");
+        knobs.group("Waves of your own");
+        water_.knobs(knobs);
         knobs.group("Raised waves");
         knobs.toggle("displace", rings_.displace, "raise the waves near the eye");
         knobs.slider("budget", rings_.budget, 0.25f, 16, "error of the raised waves, pixels");
@@ -70,6 +72,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        if (water_.has_own()) return {};  // no formula
         const Frame drawn = frame_in(frame, {{0, 0}, frame.size});
         return ocean::truth(drawn, probe,
                             {.layers = water_.layers(),
@@ -179,7 +182,7 @@ private:
 
     /// Returns the mean error of a rule in degrees, over the water ahead. Infinity before its task is written.
     double mean_error(Combine rule) {
-        return means_[rule == mean ? 0 : 1].get({knob_values(*this), sea_.renewals()}, [&] {
+        return means_[rule == mean ? 0 : 1].get({knob_values(*this), sea_.renewals() + water_.version()}, [&] {
             constexpr glm::ivec2 size(48);
             const Camera camera({.yaw = 180, .pitch = 38, .distance = 26, .field_of_view = 30}, 1);
             const View view{.tile = {{0, 0}, size},

@@ -1,4 +1,4 @@
-// The water of lab 15: how high and how often the two maps of waves lie on it.
+// The water of lab 15: how high and how often the two maps of waves lie on it. A map may be of the user's files.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <memory>
+#include <span>
 
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/kept.h"
 #include "framework/core/lab/lab.h"
 #include "task.h"
 #include "truth.h"
@@ -23,13 +27,33 @@ public:
     std::array<float, 2> amplitudes = {1.2f, 0.08f};  ///< significant wave heights, metres
     float wind = 6;                                   ///< metres per second; 0: `amplitudes` as they are
 
+    /// The knobs of the user's files.
+    void knobs(Knobs& knobs) {
+        static constexpr std::array by_formula = {"formula"}, of_heights = {"of-heights"};
+        static constexpr std::array names = {"heights_1", "heights_2", "normals_1", "normals_2"};
+        for (size_t i = 0; i < 2; ++i)
+            knobs.choice_or_file(names[i], own_[i].has_heights, own_[i].heights, by_formula,
+                                 i == 0 ? "heights of the first map" : "heights of the second map");
+        for (size_t i = 0; i < 2; ++i)
+            knobs.choice_or_file(names[2 + i], own_[i].has_normals, own_[i].normals, of_heights,
+                                 i == 0 ? "normals of the first map" : "normals of the second map");
+    }
+    bool has_own_heights(int map) const { return own_[size_t(map)].has_heights > 0; }
+    /// Returns whether a map is not that of the formula.
+    bool has_own() const { return own_[0].is_there() || own_[1].is_there(); }
+    /// Increases with each file that is read.
+    int version() const {
+        return own_[0].heights.version() + own_[0].normals.version() + own_[1].heights.version() +
+               own_[1].normals.version();
+    }
+
     bool is_used(int map) const { return (maps == 0 || maps == map + 1) && amplitudes[size_t(map)] > 0; }
 
     /// Returns the significant wave height of a map in metres, scaled so that slopes fit the wind.
     double amplitude(int map) const {
         double square = 0;
         for (size_t i = 0; i < 2; ++i) {
-            const glm::dvec3 moments = slope_moments(int(i)) * std::pow(double(amplitudes[i] * tiles[i]), 2);
+            const glm::dvec3 moments = moments_of(int(i)) * std::pow(double(amplitudes[i] * tiles[i]), 2);
             square += moments.x + moments.y;
         }
         // Cox and Munk 1954: the mean squared slope of a clean sea.
@@ -51,14 +75,19 @@ public:
     }
 
     /// The maps as they are in their textures: see MapImages.
-    const Texture& waves(int map) const { return textures_[size_t(map)].waves; }
-    const Texture& normals(int map) const { return textures_[size_t(map)].normals; }
+    const Texture& waves(int map) const { return textures(map).waves; }
+    const Texture& normals(int map) const { return textures(map).normals; }
 
     /// Returns an upper bound of the height of the sea, metres.
     double highest() const {
         double sum = 0;
-        for (const Layer& layer : layers())
+        for (const Layer& layer : layers()) {
+            if (const Own& own = own_[size_t(layer.map)]; own.has_heights > 0) {
+                sum += layer.amplitude * own.measures().highest;
+                continue;
+            }
             for (const Wave& wave : waves_of(layer.map)) sum += layer.amplitude * std::abs(wave.amplitude);
+        }
         return sum;
     }
 
@@ -67,7 +96,7 @@ public:
         double square = 0;
         for (const Layer& layer : layers()) {
             const glm::dvec3 moments =
-                layer.amplitude * layer.amplitude * layer.tiles * layer.tiles * slope_moments(layer.map);
+                layer.amplitude * layer.amplitude * layer.tiles * layer.tiles * moments_of(layer.map);
             square += moments.x + moments.y;
         }
         return 5 * std::sqrt(square);
@@ -107,7 +136,7 @@ public:
                             glm::vec4(wave.k.x, wave.k.y, wave.amplitude, wave.phase));
             }
             const std::string number = std::to_string(map + 1);
-            const Textures& of = textures_[size_t(map)];
+            const Textures& of = textures(map);
             program.set(("s_waves_" + number).c_str(), 3 * map, of.waves);
             program.set(("s_moments_" + number).c_str(), 3 * map + 1, of.moments);
             program.set(("s_normals_" + number).c_str(), 3 * map + 2, of.normals);
@@ -119,10 +148,10 @@ private:
     /// Tiles per second. They are binary fractions, so that the sea repeats exactly after 128 seconds.
     static constexpr std::array<glm::dvec2, 2> velocities = {{{1.0 / 128, 9.0 / 128}, {-5.0 / 128, 31.0 / 128}}};
 
-    static double segment_error(const std::vector<Layer>& used, double length) {
+    double segment_error(const std::vector<Layer>& used, double length) const {
         double sum = 0;
         for (const Layer& layer : used)
-            for (const Wave& wave : waves_of(layer.map)) {
+            for (const Wave& wave : spectrum(layer.map)) {
                 const double turns = glm::length(glm::dvec2(wave.k)) * layer.tiles / tile_metres * length,
                              angle = 2 * glm::pi<double>() * turns,
                              part = layer.amplitude * wave.amplitude * std::min(1.0, angle * angle / 8);
@@ -137,8 +166,69 @@ private:
             : waves(fmt::format("waves {}", map + 1), [map] { return make_maps(map).waves; }),
               moments(fmt::format("moments {}", map + 1), [map] { return make_maps(map).moments; }),
               normals(fmt::format("normals {}", map + 1), [map] { return make_maps(map).normals; }) {}
+        explicit Textures(std::shared_ptr<const MapImages> own)
+            : waves("own waves", [own] { return own->waves; }),
+              moments("own moments", [own] { return own->moments; }),
+              normals("own normals", [own] { return own->normals; }) {}
     };
-    std::array<Textures, 2> textures_ = {Textures(0), Textures(1)};
+
+    /// What is known of own heights without a formula. `wave` is a cosine of the same height and slope.
+    struct Measures {
+        glm::dvec3 moments{0};
+        double highest = 0;
+        std::array<Wave, 1> wave{};
+    };
+    /// The user's files for one map.
+    struct Own {
+        OwnPicture heights{own_heights}, normals{own_normals};
+        int has_heights = 0, has_normals = 0;  ///< 1: a file
+
+        bool is_there() const { return has_heights > 0 || has_normals > 0; }
+        const Measures& measures() const {
+            return measures_.get({heights.version()}, [this] { return measured(maps_of_heights(heights.image())); });
+        }
+
+    private:
+        mutable Kept<Measures, int> measures_;
+        static Measures measured(const MapImages& images) {
+            Measures result;
+            const double count = double(images.waves.pixel_count());
+            double square = 0;
+            for (size_t i = 0; i < images.waves.pixel_count(); ++i) {
+                const double height = double(images.waves.values[3 * i + 2]);
+                result.highest = std::max(result.highest, std::abs(height)), square += height * height / count;
+                for (int c = 0; c < 3; ++c)
+                    result.moments[c] += double(images.moments.values[3 * i + size_t(c)]) / count;
+            }
+            const double amplitude = std::sqrt(2 * square), slope = result.moments.x + result.moments.y;
+            const double turns = std::sqrt(slope / std::max(square, 1e-12)) * tile_metres / (2 * glm::pi<double>());
+            result.wave[0] = {{std::max(1, int(turns + 0.5)), 0}, amplitude, 0};
+            return result;
+        }
+    };
+
+    glm::dvec3 moments_of(int map) const {
+        const Own& own = own_[size_t(map)];
+        return own.has_heights > 0 ? own.measures().moments : slope_moments(map);
+    }
+    std::span<const Wave> spectrum(int map) const {
+        const Own& own = own_[size_t(map)];
+        return own.has_heights > 0 ? std::span<const Wave>(own.measures().wave) : std::span<const Wave>(waves_of(map));
+    }
+    const Textures& textures(int map) const {
+        const Own& own = own_[size_t(map)];
+        return textures_[size_t(map)].get(
+            {own.has_heights, own.heights.version(), own.has_normals, own.normals.version()}, [&] {
+                if (!own.is_there()) return Textures(map);
+                auto images = std::make_shared<MapImages>(own.has_heights > 0 ? maps_of_heights(own.heights.image())
+                                                                              : make_maps(map));
+                if (own.has_normals > 0) images->normals = own.normals.image();
+                return Textures(std::move(images));
+            });
+    }
+
+    std::array<Own, 2> own_;
+    mutable std::array<Kept<Textures, int, int, int, int>, 2> textures_;
 };
 
 }  // namespace relief::ocean

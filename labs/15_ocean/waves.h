@@ -35,4 +35,15 @@ struct MapImages {
 /// Returns the images of map 0 or 1.
 MapImages make_maps(int map);
 
+/// Returns the heights of a user's picture, for maps_of_heights(): grey, of map_texels a side. Throws Error, without a
+/// place, if the picture has colours or is of one height.
+Image own_heights(Image picture);
+/// Returns the normals of a user's picture, of map_texels a side: a normal map with green up. Throws Error, without a
+/// place, for a grey picture, or one whose colours do not point upwards.
+Image own_normals(Image picture);
+
+/// Returns the images of a map from heights that tile, of map_texels a side. They are shifted and scaled so that their
+/// mean is 0 and the significant wave height is one metre. Slopes are central differences.
+MapImages maps_of_heights(const Image& heights);
+
 }  // namespace relief::ocean

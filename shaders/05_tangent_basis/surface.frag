@@ -89,7 +89,7 @@ void main() {
     tangent = vec4(normalize(is_z_longer ? across_z : across_y), 1.0);
     //)
 #elif defined ORTHOGONAL
-    tangent.xyz = normalize(tangent.xyz - dot(tangent.xyz, normal) * normal);
+    tangent.xyz = normalize(cross(cross(normal, tangent.xyz), normal));  // without its part along N
 #endif
 #if defined ORTHOGONAL
     vec3 rest = v_bitangent - dot(v_bitangent, normal) * normal - dot(v_bitangent, tangent.xyz) * tangent.xyz;

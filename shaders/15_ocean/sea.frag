@@ -41,6 +41,13 @@ float tiles(int map) { return map == 0 ? u_tiles.x : u_tiles.y; }
 
 vec2 exact_slope(vec2 place, int map) {
     vec2 uv = map_uv(place, map), sum = vec2(0.0);
+    // Heights of a file have no formula; their slopes are differences in floats.
+#ifdef OWN_FIRST
+    if (map == 0) return textureLod(s_waves_1, uv, 0.0).xy * (amplitude(0) * tiles(0));
+#endif
+#ifdef OWN_SECOND
+    if (map == 1) return textureLod(s_waves_2, uv, 0.0).xy * (amplitude(1) * tiles(1));
+#endif
     for (int i = 0; i < 24; ++i) {
         vec4 wave = u_waves[24 * map + i];
         sum -= wave.xy * (wave.z * sin(6.28318531 * fract(dot(wave.xy, fract(uv))) + wave.w));
