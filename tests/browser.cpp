@@ -266,13 +266,14 @@ std::vector<std::string> Browser::accessibility_faults() {
     for (const int pixels : {1440, 390})
         for (const bool is_dark : {false, true}) {
             width(pixels), dark(is_dark);
-            const json answer =
-                call("Runtime.evaluate",
-                     {{"expression",
-                       script + R"js(;axe.run({rules: {'target-size': {enabled: true}}}).then(result => result.violations.flatMap(rule => rule.nodes.map(node =>
+            const json answer = call(
+                "Runtime.evaluate",
+                {{"expression",
+                  script +
+                      R"js(;axe.run({rules: {'target-size': {enabled: true}}}).then(result => result.violations.flatMap(rule => rule.nodes.map(node =>
                       rule.id + ": " + node.html.slice(0, 160) + " " + node.failureSummary))))js"},
-                      {"returnByValue", true},
-                      {"awaitPromise", true}});
+                 {"returnByValue", true},
+                 {"awaitPromise", true}});
             if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
             for (const std::string fault : answer["result"]["value"]) found.insert(fault);
         }

@@ -5,7 +5,8 @@
 namespace relief::baking {
 
 Mesh Recipe::high_mesh() const {
-    return model.shape == Shape::own ? own->high(has_fine) : make_high(model, high_finenesses[size_t(high)], cord, sculpt);
+    return model.shape == Shape::own ? own->high(has_fine)
+                                     : make_high(model, high_finenesses[size_t(high)], cord, sculpt);
 }
 
 Mesh Recipe::low_mesh(bool other_diagonal) const {

@@ -156,6 +156,13 @@ private:
     std::vector<std::pair<MD_SPANTYPE, Span>> styles_;  ///< the open ones within the block, innermost last
 };
 
+/// Returns whether a paragraph is one of the tags between which GitHub folds measured blocks. Pages and the window fold
+/// these blocks by themselves.
+bool is_fold(const Block& block) {
+    const std::string text = block.kind == BlockKind::paragraph ? plain_text(block.spans) : "";
+    return text == "<details><summary>How it was measured</summary>" || text == "</details>";
+}
+
 }  // namespace
 
 std::vector<Block> parse_markdown(std::string_view text) {
@@ -186,7 +193,9 @@ std::vector<Block> parse_markdown(std::string_view text) {
     };
     Builder builder;
     if (md_parse(text.data(), MD_SIZE(text.size()), &parser, &builder) != 0) throw std::bad_alloc();
-    return builder.blocks();
+    std::vector<Block> blocks = builder.blocks();
+    std::erase_if(blocks, is_fold);
+    return blocks;
 }
 
 Spans line_with_code(std::string_view line) {

@@ -344,7 +344,7 @@ std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const B
                                       const BenchMachine& machine) {
     const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
     if (scenes.size() == 1) {
-        const glm::ivec2 size = topic.sweeps ? glm::ivec2(560, 520) : glm::ivec2(1000, 520);
+        const glm::ivec2 size = topic.sweeps ? glm::ivec2(560, 520) : glm::ivec2(1000, 436);
         const PanelStyle slide{.size = size,
                                .title = 19,
                                .axes = 18,

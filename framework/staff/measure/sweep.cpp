@@ -106,7 +106,7 @@ private:
     /// Returns as many powers of ten as have room side by side.
     std::string tics() const {
         const int first = int(std::ceil(std::log10(left_) - 0.01)), last = int(std::floor(std::log10(right_) + 0.01));
-        const double room = (style_.size.x - 110 - (style_.direct_names ? names_width() : 0)) / (3.6 * style_.axes);
+        const double room = (style_.size.x - 110 - (style_.direct_names ? names_width() : 0)) / (4.8 * style_.axes);
         const int step = std::max(1, int(std::ceil((last - first) / std::max(1.0, room))));
         std::vector<std::string> all;
         for (int power = first; power <= last; power += step)

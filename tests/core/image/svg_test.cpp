@@ -53,6 +53,16 @@ TEST(Svg, DrawsEveryHandoutDiagramAtTheRequestedSize) {
     }
 }
 
+TEST(Svg, EveryDiagramHasAWhitePlateForDarkPages) {
+    size_t count = 0;
+    for (const auto& file : fs::directory_iterator(fs::path(source_folder) / "assets/diagrams")) {
+        EXPECT_TRUE(contains(read_file(file.path()), "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"))
+            << file.path() << ": black letters on a dark ground";
+        ++count;
+    }
+    EXPECT_GT(count, 40u);
+}
+
 TEST(Svg, KeepsColorsAndPositions) {
     const std::string svg = drawing("<rect x=\"0\" y=\"0\" width=\"100\" height=\"50\" fill=\"#ff8000\"/>");
     EXPECT_EQ(svg_size(svg), glm::ivec2(200, 100));

@@ -1,8 +1,10 @@
 // Handouts as blocks of styled text.
 #include "framework/course/pages/markdown.h"
 
+#include <filesystem>
 #include <random>
 
+#include "framework/core/base/file.h"
 #include "tests/support.h"
 
 namespace relief::pages {
@@ -174,6 +176,30 @@ TEST(Markdown, ALineHasCodeBetweenBackticks) {
         (Spans{{.text = "along", .code = true}, {.text = " is *divided*: times "}, {.text = "depth", .code = true}}));
     EXPECT_EQ(line_with_code("a ` b"), (Spans{{.text = "a "}, {.text = " b"}}));
     EXPECT_EQ(line_with_code(""), Spans{});
+}
+
+TEST(Markdown, LeavesOutTheTagsThatFoldMeasuredBlocksOnGitHub) {
+    const auto blocks = parse_markdown(
+        "1.5 texels\n\n<details><summary>How it was measured</summary>\n\n```measured\n1.5 mean\n```\n\n</details>\n\n"
+        "<details>\n");
+    ASSERT_EQ(blocks.size(), 3u);
+    EXPECT_EQ(plain_text(blocks[0].spans), "1.5 texels");
+    EXPECT_EQ(blocks[1].language, "measured");
+    EXPECT_EQ(plain_text(blocks[2].spans), "<details>") << "other tags are text";
+}
+
+TEST(Handouts, FoldAllMeasuredBlocksOnGitHub) {
+    size_t count = 0;
+    for (const auto& lab : std::filesystem::directory_iterator(std::filesystem::path(source_folder) / "labs")) {
+        if (!std::filesystem::exists(lab.path() / "lab.toml")) continue;
+        const std::string text = read_file(lab.path() / "README.md");
+        const std::string begin = "```measured\n", fold = "<details><summary>How it was measured</summary>\n\n";
+        for (size_t at = text.find(begin); at != text.npos; at = text.find(begin, at + 1), ++count) {
+            EXPECT_EQ(text.substr(at - fold.size(), fold.size()), fold) << lab.path();
+            EXPECT_TRUE(text.substr(text.find("\n```\n", at)).starts_with("\n```\n\n</details>\n")) << lab.path();
+        }
+    }
+    EXPECT_GT(count, 30u);
 }
 
 }  // namespace

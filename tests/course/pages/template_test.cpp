@@ -68,7 +68,7 @@ std::vector<std::string> tags_of(const std::string& text) {
 /// The values that are not escaped. The course's own code and files provide them.
 const std::set<std::pair<std::string, std::string>> not_escaped = {
     {"framework/course/pages/block", "math"},  // formula.cpp's
-    {"framework/course/pages/page", "page.style"},   {"framework/course/pages/page", "page.script"},
+    {"framework/course/pages/page", "page.style"}, {"framework/course/pages/page", "page.script"},
     {"framework/staff/pages/bench", "section"},     // topic.mustache, possibly from an earlier run
     {"framework/staff/pages/mistakes", "article"},  // mistake.mustache, from another process
     {"framework/staff/pages/topic", "broad"},       // gnuplot's SVG
