@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/core/lab/camera.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::offsets {
 

@@ -192,6 +192,7 @@ TEST(ExportPictures, AreSmallBoundedAndNeverHidden) {
 
 TEST(StudentPage, ShowsAHintOncePerTask) {
     grade::SubmissionMark mark = some_submission();
+    mark.labs[0].tasks[0].hint = "";  // that of a known mistake would replace it
     std::vector<grade::CheckMark>& checks = mark.labs[0].tasks[0].checks;
     for (grade::CheckMark& check : checks)
         check.outcome = check::Outcome::wrong, check.look_at = "mind the sign", check.view = "";
