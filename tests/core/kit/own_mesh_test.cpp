@@ -36,7 +36,8 @@ Sums sums_of(const Mesh& mesh) {
 }
 
 TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
-    const Mesh mesh = prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0));  // twice the half diagonal of 4 x 2 x 1
+    const Mesh mesh =
+        prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0));  // twice the half diagonal of 4 x 2 x 1
     const Sums sums = sums_of(mesh);
     EXPECT_LT(glm::distance(sums.low, {-4, -2, -1}), 1e-6);
     EXPECT_LT(glm::distance(sums.high, {4, 2, 1}), 1e-6);
