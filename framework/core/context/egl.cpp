@@ -64,7 +64,8 @@ public:
     }
 
 private:
-    /// Hardware devices first, Mesa's surfaceless platform last. Only the latter if LIBGL_ALWAYS_SOFTWARE is set.
+    /// Hardware devices first, unless LIBGL_ALWAYS_SOFTWARE is set; then Mesa's surfaceless platform, unless
+    /// `only_hardware`.
     static std::vector<EGLDisplay> displays(bool only_hardware) {
         std::vector<EGLDisplay> found;
         const auto get_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");

@@ -130,7 +130,7 @@ struct Advice {
     void apply(size_t check, CheckResult& result) const;
 };
 
-/// Returns the name of the current context's renderer. Returns an empty name without a context.
+/// Returns the name of the current context's renderer, or "" without a context, which counts as an unknown GPU.
 std::string renderer_of_context();
 
 /// Runs a lab's checks one at a time, in any order and any number of times. Reads the task files at each run; reads the
