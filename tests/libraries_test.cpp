@@ -1,7 +1,7 @@
 // The libraries and modules that can meet in one process.
 #include <map>
-#include <set>
 #include <sstream>
+#include <vector>
 
 #include "framework/core/base/paths.h"
 #include "tests/process.h"
@@ -12,35 +12,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the functions and variables with external linkage that a library defines. Leaves out weak ones, such as
-/// inline functions, which several libraries may share.
-std::set<std::string> definitions(const fs::path& library) {
+std::vector<fs::path> libraries() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(executable_folder()))
+        if (entry.path().extension() == ".so") found.push_back(entry.path());
+    EXPECT_GE(found.size(), 5u);
+    return found;
+}
+
+/// Returns the functions and variables that other libraries can see in this one, by name, with the letter of nm for
+/// their kind.
+std::map<std::string, char> shown_symbols(const fs::path& library) {
     const Result listed = run({"nm", "--dynamic", "--defined-only", "--format=posix", library.string()});
     EXPECT_EQ(listed.code, 0) << listed.err;
-    std::set<std::string> found;
+    std::map<std::string, char> found;
     std::istringstream lines(listed.out);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
-        std::string name, kind;
-        if (words >> name >> kind && std::string("TDBR").find(kind) != std::string::npos) found.insert(name);
+        std::string name;
+        if (char kind = 0; words >> name >> kind) found[name] = kind;
     }
+    EXPECT_FALSE(found.empty()) << library;
     return found;
 }
 
 TEST(Libraries, DefineEachSymbolOnce) {
     std::map<std::string, std::string> owner;
-    int libraries = 0;
-    for (const auto& entry : fs::directory_iterator(executable_folder())) {
-        if (entry.path().extension() != ".so") continue;
-        ++libraries;
-        const std::string library = entry.path().filename().string();
-        const std::set<std::string> all = definitions(entry.path());
-        EXPECT_FALSE(all.empty()) << library;
-        for (const std::string& symbol : all)
+    for (const fs::path& path : libraries()) {
+        const std::string library = path.filename().string();
+        for (const auto& [symbol, kind] : shown_symbols(path)) {
+            // Several libraries may share what is weak, such as inline functions.
+            if (std::string("TDBR").find(kind) == std::string::npos) continue;
             if (const auto [place, is_new] = owner.emplace(symbol, library); !is_new)
                 ADD_FAILURE() << symbol << " is defined in " << place->second << " and in " << library;
+        }
     }
-    EXPECT_GE(libraries, 5);
+}
+
+TEST(Libraries, ShowNothingOfTheLibrariesThatTheyContain) {
+    for (const fs::path& path : libraries()) {
+        const bool is_module = path.filename().string().starts_with("relief-");
+        for (const auto& [symbol, kind] : shown_symbols(path)) {
+            // The names of C++ have the namespace in them, also as an argument of a template.
+            const bool is_own = contains(symbol, "6relief") || symbol.starts_with("glad") || symbol.starts_with("GLAD");
+            EXPECT_TRUE(is_module ? symbol.starts_with("relief_") : is_own) << path.filename() << " shows " << symbol;
+        }
+    }
 }
 
 }  // namespace
