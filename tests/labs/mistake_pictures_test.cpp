@@ -61,11 +61,12 @@ TEST(MistakePictures, HaveContrast) {
     }
 }
 
+// `relief test --all` tests all mistakes of the lab.
 TEST(MistakePictures, ShowEachMistakeInAFailedCheckOfItsTaskWithAVisibleDifference) {
     const LabEntry& lab = find_lab("02");
     grade::MistakePictures pictures(lab);
     bool any_probe = false, any_light = false;
-    for (const MistakeInfo& mistake : pictures.manifest().mistakes) {
+    for (const MistakeInfo& mistake : sample_of(pictures.manifest().mistakes, 8)) {
         expect_shown(lab, pictures, mistake);
         (pictures.best(mistake).is_probe ? any_probe : any_light) = true;
     }
@@ -85,10 +86,10 @@ TEST(MistakePictures, LeaveTheCourseUnchanged) {
     Shot shot;
     shot.size = {64, 48}, shot.camera = load_manifest(lab).camera;
     const Image before = render_shot(*make_lab(lab, shot), shot);
-    const auto root = course_root();
+    const std::string root = course_root().string();
     grade::MistakePictures pictures(lab);
     pictures.draw(pictures.manifest().mistakes.front(), {shot});
-    EXPECT_EQ(course_root(), root);
+    EXPECT_EQ(course_root().string(), root);
     EXPECT_EQ(render_shot(*make_lab(lab, shot), shot).values, before.values);
 }
 

@@ -30,6 +30,8 @@ glm::dvec3 cube_map_direction(int face, double s, double t) {
 CubeTexture::CubeTexture(std::string title, int side, std::function<glm::dvec3(const glm::dvec3& direction)> light)
     : title_(std::move(title)), side_(side), light_(std::move(light)) {}
 
+CubeTexture::Loaded::Loaded() = default;
+
 CubeTexture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 
 CubeTexture::operator GLuint() const {

@@ -26,7 +26,7 @@ private:
     struct Loaded {
         TextureName name;
         int64_t bytes = 0;
-        Loaded() = default;
+        Loaded();
         Loaded(const Loaded&) = delete;
         ~Loaded();
     };

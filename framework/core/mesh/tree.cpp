@@ -68,7 +68,7 @@ private:
 
 TriangleTree build_tree(const Mesh& mesh) {
     TriangleTree tree;
-    Builder(mesh, tree);
+    const Builder builder(mesh, tree);
     return tree;
 }
 

@@ -172,14 +172,14 @@ private:
     std::string driver_ = describe_context().driver();
 };
 
-/// Checks all labs if `lab` is empty. Writes the differences into `output` if it is given. On a GPU, lists differences
-/// and judges none: the references are from the software renderer.
-int check_golden(const std::string& lab, bool update, const fs::path& output, ContextChoice choice) {
+/// Checks all labs if `chosen` is empty. Writes the differences into `output` if it is given. On a GPU, lists
+/// differences and judges none: the references are from the software renderer.
+int check_golden(const std::string& chosen, bool update, const fs::path& output, ContextChoice choice) {
     std::vector<const LabEntry*> labs;
-    if (lab.empty())
+    if (chosen.empty())
         for (const LabEntry& entry : registry()) labs.push_back(&entry);
     else
-        labs.push_back(&find_lab(lab));
+        labs = find_labs(chosen);
 
     const bool on_gpu = choice == ContextKind::gpu;
     if (on_gpu && update) throw UsageError("--update needs the software renderer: leave out --context gpu");
@@ -198,22 +198,23 @@ int check_golden(const std::string& lab, bool update, const fs::path& output, Co
         }
     if (check.pictures == 0 && check.failures == 0)
         throw Error(fmt::format("nothing was compared: there is no [[golden]] in {}",
-                                lab.empty() ? "any lab.toml" : "labs/" + labs.front()->folder + "/lab.toml"));
+                                labs.size() == 1 ? "labs/" + labs.front()->folder + "/lab.toml" : "any lab.toml"));
     return check.failures == 0 ? 0 : 1;
 }
 
 class GoldenCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.lab(lab_, false);
+        // Several labs as well, like 1-5 or 1,3,10-12.
+        options.lab(labs_, false);
         options.flag("--update", update_, "renew those that differ");
         options.value("-o", "FOLDER", output_, "write what differs: now, reference, difference");
         options.value("--context", "NAME", context_, context_help);
     }
-    int run() override { return check_golden(lab_, update_, output_, context_kind(context_)); }
+    int run() override { return check_golden(labs_, update_, output_, context_kind(context_)); }
 
 private:
-    std::string lab_, output_, context_ = "auto";
+    std::string labs_, output_, context_ = "auto";
     bool update_ = false;
 };
 RELIEF_COMMAND(GoldenCommand, 8, "golden", "compares pictures with the reference screenshots");

@@ -319,7 +319,7 @@ std::string to_gradescope(const Standing& standing, const std::vector<ExportPict
     const SubmissionMark& mark = *standing.mark;
     bool any_hidden = false;
     ordered_json tests = ordered_json::array();
-    const auto add = [&](const std::string& name, const LabMark& lab, ordered_json more) {
+    const auto add = [&](const std::string& name, const LabMark& lab, const ordered_json& more) {
         ordered_json test = {{"name", name}, {"name_format", "text"}};
         test.update({{"output_format", "text"}});
         test.update(more);

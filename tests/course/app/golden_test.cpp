@@ -50,6 +50,15 @@ TEST_F(Golden, AMissingReferenceIsAFailure) {
         << result.err;
 }
 
+TEST_F(Golden, LooksAtSeveralLabs) {
+    renew();
+    const Result result = course_.relief({"golden", "1,4"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(result.out.starts_with("01_specular_highlights/close: same within 0/255\n04_object_space/"))
+        << result.out;
+    EXPECT_FALSE(contains(result.out, "02_")) << result.out;
+}
+
 TEST_F(Golden, ARenewedReferenceCarriesItsDriverAndPasses) {
     renew();
     Notes notes;
