@@ -191,6 +191,7 @@ bool comparably = false;
 }
 void draw_comparably() { comparably = true; }
 bool draws_comparably() { return comparably; }
+ComparableDrawing::~ComparableDrawing() { comparably = before_; }
 
 bool is_software_renderer() {
     const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));

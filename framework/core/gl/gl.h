@@ -21,6 +21,17 @@ bool is_software_renderer();
 void draw_comparably();
 bool draws_comparably();
 
+/// Draws so while it exists.
+class ComparableDrawing {
+public:
+    ComparableDrawing() : before_(draws_comparably()) { draw_comparably(); }
+    ComparableDrawing(const ComparableDrawing&) = delete;
+    ~ComparableDrawing();
+
+private:
+    bool before_;
+};
+
 /// Names a GL object in debug messages and frame debuggers. Does nothing without KHR_debug.
 void label(GLenum kind, GLuint name, const std::string& text);
 

@@ -56,15 +56,24 @@ Texture::Texture(std::string title, std::function<std::vector<Image>()> make, Te
       make_([make = std::move(make), space = options.space] { return pack(make(), space); }),
       options_(options) {}
 
+namespace {
+
+/// Returns how many samples a filtered read takes along its longer axis.
+float anisotropy_of(const TextureOptions& options) {
+    return options.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
+}
+
+}  // namespace
+
 Texture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 
 Texture::operator GLuint() const {
     if (!loaded_ && is_asset_) {
         // The key has the course's root and all sampling options: a process may read several courses.
-        using Key = std::tuple<std::string, ColorSpace, Wrap, bool, std::optional<float>>;
+        using Key = std::tuple<std::string, ColorSpace, Wrap, bool, float>;
         static std::map<Key, std::weak_ptr<const Loaded>> assets;
         std::weak_ptr<const Loaded>& shared = assets[Key((course_root() / title_).string(), options_.space,
-                                                         options_.wrap, options_.mips, options_.anisotropy)];
+                                                         options_.wrap, options_.mips, anisotropy_of(options_))];
         loaded_ = shared.lock();
         if (loaded_)
             counters().shared_bytes += loaded_->bytes;
@@ -111,7 +120,7 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
-    const float anisotropy = options_.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
+    const float anisotropy = anisotropy_of(options_);
     if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && !layered && anisotropy > 1) {
         float max_anisotropy = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &max_anisotropy);
