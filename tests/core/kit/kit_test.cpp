@@ -13,6 +13,7 @@
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/light.h"
 #include "framework/core/kit/numbers.h"
+#include "framework/core/kit/obj_textures.h"
 #include "framework/core/kit/ray_mesh.h"
 #include "framework/core/kit/relief_material.h"
 #include "framework/core/kit/window_triangle.h"
@@ -28,6 +29,23 @@ TEST(Choices, HoldNamesAndDefinitionsByValue) {
     EXPECT_STREQ(methods.names[by_size], "size");
     EXPECT_EQ(methods.define(by_size).text, "BY_SIZE 2");
     EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
+}
+
+TEST(ObjTextures, AreOneForEachMapAndColorSpace) {
+    ObjTextures textures;
+    EXPECT_EQ(textures.texture("", ColorSpace::linear), nullptr);
+    const Texture* const linear = textures.texture("ivy_with_alpha.png", ColorSpace::linear);
+    EXPECT_EQ(textures.texture("ivy_with_alpha.png", ColorSpace::linear), linear);
+    EXPECT_NE(textures.texture("ivy_with_alpha.png", ColorSpace::srgb), linear);
+    ObjSurface surface;
+    EXPECT_EQ(textures.mask(surface), nullptr);
+    surface.mask = "ivy_with_alpha.png";
+    EXPECT_EQ(textures.mask(surface), linear);
+    const std::vector<float> by_first_channel = textures.scales(surface);
+    surface.mask_is_alpha = true;
+    EXPECT_NE(textures.mask(surface), linear) << "the fourth channel";
+    EXPECT_EQ(textures.scales(surface), mask_scales("ivy_with_alpha.png", true));
+    EXPECT_NE(textures.scales(surface), by_first_channel);
 }
 
 TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
