@@ -124,8 +124,7 @@ private:
         glBindVertexArray(nothing_.layout());
         for (size_t i = 0; i < view.leaves.size(); ++i) {
             const SpherePatch& patch = view.leaves[i].id;
-            program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
-            program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+            set_grid(program, mapping, patch);
             program.set("u_map_corner", globe.map_corner(i));
             glDrawArrays(GL_TRIANGLES, 0, 18 * side * side);
         }
@@ -154,6 +153,11 @@ private:
         program.set("u_far", (glm::length(eye.place) + 2) * radius);
         program.set("u_eye", eye.place);
     }
+    /// Sets where a patch is on its face, for shaders/09_planet/grid.glsl.
+    static void set_grid(const Program& program, SphereMapping mapping, const SpherePatch& patch) {
+        program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
+        program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+    }
     Define depth_define() const { return Settings::depths.define(settings_.depth); }
 
     // ---- the faces, spread out flat
@@ -181,8 +185,7 @@ private:
             const glm::ivec2 begin(glm::ceil(low - 0.5)), end(glm::ceil(low + size - 0.5));
             glViewport(begin.x, begin.y, end.x - begin.x, end.y - begin.y);
             program.set("u_window", glm::vec4(low, size));
-            program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
-            program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+            set_grid(program, mapping, patch);
             program.set("u_patch", glm::ivec2(patch.x, patch.y));
             program.set("u_level", patch.level);
             program.set("u_map_corner", globe.map_corner(i));
