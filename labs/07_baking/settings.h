@@ -1,4 +1,4 @@
-// The knobs of lab 07. The tables of shapes and meshes are in models.h, those of a bake in baker.h.
+// The knobs of lab 07. The tables of shapes and meshes are in models.h, the tables of a bake in baker.h.
 #pragma once
 
 #include "baker.h"
@@ -48,8 +48,8 @@ struct Settings {
         return (fine == fine_file ? own.fine : own.coarse).mesh().indices.size() / 3;
     }
 
-    /// Returns what a bake of a shape depends on. Settings without effect on the shape have their defaults, so that
-    /// they do not cause a bake.
+    /// Returns the inputs of a bake of a shape. A knob without effect on the shape has a constant value there, so that
+    /// it causes no bake.
     Recipe recipe(Shape of) const {
         Recipe recipe{.model = {of, 0},
                       .high = 0,

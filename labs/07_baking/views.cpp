@@ -15,7 +15,7 @@ View model_view(const Settings& s, Shape shape, Shown shown, int frame, std::str
             .wears_file = wears_file};
 }
 
-/// Returns the chosen model alone, with what it wears.
+/// Returns the chosen model alone: with its map, bare, the fine model, or with the map in its file.
 std::vector<View> one(const Settings& s) {
     static constexpr std::array shown = {Shown::mapped, Shown::low, Shown::high, Shown::mapped};
     const bool wears_file = s.wears == Settings::map_of_file && s.is_own();

@@ -28,7 +28,7 @@ struct Lights {
         program.set("u_cone", cone);
         program.set("u_attenuation", attenuation);
     }
-    /// Sets the uniforms of shaders/08_obj_materials/light.glsl likewise, and those of the lamp.
+    /// Sets the uniforms of shaders/08_obj_materials/light.glsl and of the lamp likewise.
     void set(const Program& program) const {
         program.set("u_to_sun", to_sun);
         program.set("u_sun", sun);

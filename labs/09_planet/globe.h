@@ -79,7 +79,7 @@ private:
         float is_skirt;
         glm::vec2 local;
     };
-    /// What is known of a patch with a share of the buffer and of the map.
+    /// A patch with vertices in the buffer and a tile of the map.
     struct Made {
         glm::dvec3 middle;  ///< of the patch, radii
         bool has_map = false;

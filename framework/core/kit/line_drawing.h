@@ -17,8 +17,8 @@ struct DrawnLine {
 
 class LineDrawing {
 public:
-    /// Draws all lines in the middle of a tile, over what is there. They keep their proportions, and fill 84 % of the
-    /// tile's width or height. Lines without length are left out. Sets the viewport.
+    /// Draws all lines in the middle of a tile, over its present content. They keep their proportions, and fill 84 % of
+    /// the tile's width or height. Lines without length are left out. Sets the viewport.
     void draw(const Tile& tile, const std::vector<DrawnLine>& lines);
 
 private:
