@@ -31,10 +31,11 @@ void LineDrawing::draw(const Tile& tile, const std::vector<DrawnLine>& lines) {
     if (!layout_) corners_.attach(layout_.emplace());
     glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
     glUseProgram(program_.with());
+    const bool tests_depth = glIsEnabled(GL_DEPTH_TEST);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(*layout_);
     glDrawArrays(GL_TRIANGLES, 0, corners_.count());
-    glEnable(GL_DEPTH_TEST);
+    if (tests_depth) glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace relief

@@ -18,7 +18,7 @@ struct DrawnLine {
 class LineDrawing {
 public:
     /// Draws all lines in the middle of a tile, over its present content. They keep their proportions, and fill 84 % of
-    /// the tile's width or height. Lines without length are left out. Sets the viewport.
+    /// the tile's width or height. Lines without length are left out. Sets the viewport. The depth test stays as it is.
     void draw(const Tile& tile, const std::vector<DrawnLine>& lines);
 
 private:

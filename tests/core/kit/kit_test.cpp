@@ -78,6 +78,7 @@ TEST(LineDrawing, FillsTheMiddleOfItsTileAndKeepsTheProportions) {
     EXPECT_EQ(high, glm::ivec2(95, 49));
     EXPECT_EQ(covered({{{1, 1}, {1, 1}, color, 1}}).second, glm::ivec2(-1)) << "without length";
     EXPECT_EQ(covered({}).second, glm::ivec2(-1));
+    EXPECT_FALSE(glIsEnabled(GL_DEPTH_TEST)) << "as before";
 }
 
 TEST(Slots, KeepTheirPlacesAsLongAsTheyAreWanted) {
