@@ -40,7 +40,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
     auto baked = std::unique_ptr<Baked>(new Baked{.recipe = recipe,
                                                   .programs = programs,
                                                   .texels = {size, {GL_RGBA32F, GL_RGBA32F}},
-                                                  .map = {size, {formats[size_t(recipe.bits)]}, true}});
+                                                  .map = {size, {formats[size_t(recipe.bits)].format}, true}});
     glDisable(GL_DEPTH_TEST);
     cast_rays(bake, recipe, baked->texels);
     const TexelTarget* texels = &baked->texels;

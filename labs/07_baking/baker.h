@@ -27,9 +27,12 @@ constexpr size_t bake_frames = 3;  ///< a bake can store in the first three
 enum class Take { nearest = take_nearest, first = take_first, last = take_last };
 inline constexpr auto takes = choices<Take>({{Take::nearest, "nearest"}, {Take::first, "first"}, {Take::last, "last"}});
 
-/// The formats of a map, by the bits of a channel.
-inline constexpr std::array bit_counts = {"8", "16", "float"};
-inline constexpr std::array<GLenum, 3> formats = {GL_RGBA8, GL_RGBA16, GL_RGBA32F};
+/// A format of the map, named by the bits of a channel.
+struct MapFormat {
+    const char* name;
+    GLenum format;
+};
+inline constexpr std::array<MapFormat, 3> formats = {{{"8", GL_RGBA8}, {"16", GL_RGBA16}, {"float", GL_RGBA32F}}};
 
 /// Everything that a bake depends on. `high`, `low` and `bits` are indices into a knob's choices.
 struct Recipe {

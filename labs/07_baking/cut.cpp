@@ -2,30 +2,14 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "framework/core/mesh/section.h"
+
 namespace relief::baking {
 namespace {
 
 constexpr glm::vec3 high_color{0.86f, 0.72f, 0.52f}, low_color{0.55f, 0.62f, 0.70f}, cage_color{0.36f, 0.40f, 0.46f};
 constexpr glm::vec3 hit_color{0.36f, 0.78f, 0.42f}, miss_color{0.93f, 0.28f, 0.20f}, wrong_color{0.68f, 0.36f, 0.95f},
     unwritten_color{0.85f, 0.0f, 0.85f};
-
-/// Calls draw(from, to) for the section of each triangle by a half plane: from the z axis towards `outwards`.
-template <class Draw>
-void cut_mesh(const Mesh& mesh, const glm::dvec3& outwards, const Draw& draw) {
-    const glm::dvec3 across(-outwards.y, outwards.x, 0);
-    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        glm::dvec3 ends[2];
-        int count = 0;
-        for (size_t k = 0; k < 3 && count < 2; ++k) {
-            const glm::dvec3 a = mesh.vertices[mesh.indices[i + k]].position,
-                             b = mesh.vertices[mesh.indices[i + (k + 1) % 3]].position;
-            const double at_a = glm::dot(a, across), at_b = glm::dot(b, across);
-            if ((at_a < 0) == (at_b < 0)) continue;
-            ends[count++] = glm::mix(a, b, at_a / (at_a - at_b));
-        }
-        if (count == 2 && glm::dot(ends[0], outwards) > 0) draw(ends[0], ends[1]);
-    }
-}
 
 /// The coarse model as the bake cuts it: places of the map on its triangles.
 class CoarseModel {
@@ -68,10 +52,11 @@ public:
         lines.push_back({flat(a), flat(b), color, width});
     }
     void add_mesh(const Mesh& mesh, glm::vec3 color, float width) {
-        cut_mesh(mesh, outwards_, [&](const auto& a, const auto& b) { add(a, b, color, width); });
+        for (const auto& [a, b] : plane_section(mesh, {-outwards_.y, outwards_.x, 0}))
+            if (glm::dot(a, outwards_) > 0) add(a, b, color, width);
     }
 
-    std::vector<CutLine> lines;
+    std::vector<DrawnLine> lines;
 
 private:
     glm::vec2 flat(const glm::dvec3& place) const { return glm::vec2(glm::dot(place, outwards_), place.z); }
@@ -105,7 +90,7 @@ void add_cage(Section& section, const CoarseModel& coarse, int whorl, double s, 
 
 }  // namespace
 
-std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
+std::vector<DrawnLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
     if (!recipe.is_ammonite()) return {};
     // The section goes through the centres of a column of texels.
     const float across = float(border) + float(1 - 2 * border) * share;
@@ -130,33 +115,6 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
     section.add_mesh(coarse.mesh(), low_color, 1.2f);
     section.add_mesh(high, high_color, 1.8f);
     return std::move(section.lines);
-}
-
-void CutDrawing::draw(const Tile& tile, const std::vector<CutLine>& lines) {
-    glm::vec2 low(INFINITY), high(-INFINITY);
-    for (const CutLine& line : lines)
-        low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
-    const glm::vec2 size(tile.size), extent = glm::max(high - low, 1e-6f);
-    const float scale = 0.84f * std::min(size.x / extent.x, size.y / extent.y);
-    const float line_width = std::max(1.0f, 0.003f * std::min(size.x, size.y));
-    std::vector<Corner> corners;
-    for (const CutLine& line : lines) {
-        const glm::vec2 a = (line.from - (low + high) / 2.0f) * scale, b = (line.to - (low + high) / 2.0f) * scale;
-        const float length = glm::length(b - a);
-        if (!(length > 0)) continue;
-        const glm::vec2 aside = glm::vec2(a.y - b.y, b.x - a.x) / length * (0.5f * line_width * line.width);
-        for (const glm::vec2 place : {a - aside, b - aside, b + aside, a - aside, b + aside, a + aside})
-            corners.push_back({place / size * 2.0f, glm::vec4(line.color, 1)});
-    }
-    if (corners.empty()) return;
-    corners_.fill<Corner>(corners);
-    if (!layout_) corners_.attach(layout_.emplace());
-    glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-    glUseProgram(program_.with());
-    glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(*layout_);
-    glDrawArrays(GL_TRIANGLES, 0, corners_.count());
-    glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace relief::baking

@@ -168,8 +168,7 @@ Mesh OwnModels::high(bool has_fine) const {
     const Placement& from = has_fine ? fine.placement() : coarse.placement();
     const Placement& to = coarse.placement();
     for (Vertex& vertex : mesh.vertices) {
-        const glm::dvec3 in_file = glm::dvec3(vertex.position) / from.scale + from.middle;
-        vertex.position = to.scale * (in_file - to.middle) + glm::dvec3(cube_centre);
+        vertex.position = placed(vertex.position, from, to) + glm::dvec3(cube_centre);
         vertex.uv = {0, 0};
     }
     return mesh;

@@ -4,12 +4,16 @@
 // together, so a ray that leaves one may hit another.
 #pragma once
 
+#include "framework/core/kit/choices.h"
 #include "framework/core/kit/own_mesh.h"
 #include "framework/core/lab/lab.h"
 
 namespace relief::baking {
 
+/// `own` is a file of the user, which has no name.
 enum class Shape { ammonite, mirrored, cube, own };
+inline constexpr auto shapes =
+    choices<Shape>({{Shape::ammonite, "ammonite"}, {Shape::mirrored, "mirrored"}, {Shape::cube, "cube"}});
 
 constexpr int whorls = 3;
 constexpr double growth = 2.1, outer_radius = 0.74;              ///< of the centre line at turn 3, metres
@@ -47,16 +51,17 @@ struct Sculpt {
     double deepest() const;  ///< below the tube
 };
 
-/// The number of quads: `columns` along the tube and `sides` around it. Only meshes that are fine enough have growth
-/// lines.
+/// The number of quads: `columns` along the tube and `sides` around it, and the number of triangles as a knob's choice.
+/// Only meshes that are fine enough have growth lines.
 struct Fineness {
     int columns, sides;
+    const char* name = "";
+
+    size_t triangles(int tubes = 1) const { return size_t(columns * sides * 2 * tubes); }
 };
-constexpr std::array<Fineness, 3> high_finenesses = {{{340, 24}, {728, 90}, {2048, 256}}};
-inline constexpr std::array high_names = {"16k", "131k", "1M"};  ///< their numbers of triangles
-/// For one whorl.
-constexpr std::array<Fineness, 3> low_finenesses = {{{4, 4}, {14, 6}, {28, 12}}};
-inline constexpr std::array low_names = {"100", "500", "2000"};  ///< their numbers of triangles
+constexpr std::array<Fineness, 3> high_finenesses = {{{340, 24, "16k"}, {728, 90, "131k"}, {2048, 256, "1M"}}};
+/// For one whorl. The names are for all.
+constexpr std::array<Fineness, 3> low_finenesses = {{{4, 4, "100"}, {14, 6, "500"}, {28, 12, "2000"}}};
 
 /// Returns the mesh that is baked. uv.x is the turn at a vertex, so that a hit knows its whorl. On the cord it is 100
 /// more. The cord runs above the last whorl without touching it. The cube has flat faces.

@@ -3,8 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include "framework/core/gl/program.h"
 #include "framework/core/kit/choices.h"
-#include "framework/core/kit/light.h"
 
 namespace relief::materials {
 
@@ -18,37 +18,23 @@ struct Lights {
     glm::dvec3 place{1, 1.45, 0.6}, axis{0, -1, 0}, light{0};
     double range = 7, cone = 2;
     glm::dvec3 attenuation{1, 0.3, 0.5};  ///< coefficients of 1, the distance and its square
-};
 
-/// The knobs of the lights.
-struct LightKnobs {
-    int lamp = spot_lamp;
-    float range = 7, cone = 2, height = 1.45f;
-    DistantLight distant{.yaw = 165, .pitch = 4};
-
-    void knobs(Knobs& knobs) {
-        knobs.group("Lantern");
-        knobs.choice("lamp", lamp, lamps.names, "the lantern with its cone, without it, or daylight");
-        knobs.slider("range", range, 0, 20, "how far the lantern reaches, metres");
-        knobs.slider("cone", cone, 0, 64, "exponent of the lantern's cone; 0 shines all around");
-        knobs.slider("lamp_height", height, 0, 3, "height of the lantern's light above the ground, metres");
-        distant.knobs(knobs, -5, 90);
+    /// Sets the uniforms of shaders/08_obj_materials/lamp.glsl, and u_lamp_light. Precondition: the program is in use.
+    void set_lamp(const Program& program) const {
+        program.set("u_lamp", place);
+        program.set("u_lamp_light", light);
+        program.set("u_axis", axis);
+        program.set("u_range", range);
+        program.set("u_cone", cone);
+        program.set("u_attenuation", attenuation);
     }
-
-    Lights lights() const {
-        Lights lights{.lamp = Lamp(lamp),
-                      .to_sun = distant.direction<double>(),
-                      .axis = glm::normalize(glm::dvec3(-0.32, -1, -0.22)),
-                      .range = double(range),
-                      .cone = lamp == point_lamp ? 0 : double(cone)};
-        lights.place.y = double(height);
-        if (lamp == sun) {
-            lights.sun = {1.0, 0.9, 0.74}, lights.sky = {0.26, 0.32, 0.42}, lights.ground = {0.10, 0.10, 0.07};
-        } else {
-            lights.sun = {0.34, 0.13, 0.05}, lights.sky = {0.075, 0.095, 0.175}, lights.ground = {0.032, 0.026, 0.028};
-            lights.light = {15, 8, 2.8};
-        }
-        return lights;
+    /// Sets the uniforms of shaders/08_obj_materials/light.glsl and of the lamp likewise.
+    void set(const Program& program) const {
+        program.set("u_to_sun", to_sun);
+        program.set("u_sun", sun);
+        program.set("u_sky", sky);
+        program.set("u_ground", ground);
+        set_lamp(program);
     }
 };
 

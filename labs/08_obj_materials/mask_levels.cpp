@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "framework/core/kit/numbers.h"
+#include "framework/core/kit/obj_textures.h"
+#include "truth.h"
 
 namespace relief::materials {
 
@@ -29,8 +31,8 @@ void MaskLevels::draw(const Frame& frame, Labels& labels, int alpha, float thres
 
 void MaskLevels::draw_level(int level, int alpha, float threshold, const Define& purpose) {
     if (!texture_) texture_.emplace(load_texture(mask, ColorSpace::linear));
-    if (scales_.empty()) scales_ = scales_of(mask);
-    const Program& program = program_.with({purpose, Surfaces::alphas.define(alpha)});
+    if (scales_.empty()) scales_ = mask_scales(mask);
+    const Program& program = program_.with({purpose, Settings::alphas.define(alpha)});
     glUseProgram(program);
     program.set("s_mask", 0, *texture_);
     program.set("u_level", level);
@@ -45,6 +47,12 @@ double MaskLevels::measure(int level, int alpha, float threshold) {
     return coverages_[size_t(alpha * levels_shown + level)].get({threshold, program_.renewals()}, [&] {
         return double(draw_numbers({1, 1}, [&] { draw_level(level, alpha, threshold, "MEASURE"); }).values[0]);
     });
+}
+
+std::optional<Image> MaskLevels::truth(glm::ivec2 size, const Probe& probe) {
+    const auto share = true_coverage(mask);
+    if (probe.name != "coverage" || !share) return {};
+    return image_of_values(size, [&](int, int) { return glm::dvec4(*share, 0, 0, 0); });
 }
 
 }  // namespace relief::materials

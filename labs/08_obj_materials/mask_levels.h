@@ -8,7 +8,7 @@
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/window_triangle.h"
-#include "surfaces.h"
+#include "settings.h"
 
 namespace relief::materials {
 
@@ -16,9 +16,12 @@ class MaskLevels {
 public:
     static constexpr const char* mask = "wire_mask.png";
 
-    /// Draws levels 0 to 5 side by side. A picture has a row for each rule in Surfaces::alphas, with captions in
+    /// Draws levels 0 to 5 side by side. A picture has a row for each rule in Settings::alphas, with captions in
     /// `labels`. A probe has one row, by `alpha`.
     void draw(const Frame& frame, Labels& labels, int alpha, float threshold);
+
+    /// Returns the exact values of the probe `coverage`.
+    static std::optional<Image> truth(glm::ivec2 size, const Probe& probe);
 
 private:
     static constexpr int levels_shown = 6;
@@ -30,7 +33,7 @@ private:
     WindowTriangle window_;
     std::optional<Texture> texture_;
     std::vector<float> scales_;
-    std::array<Kept<double, float, int>, Surfaces::alphas.size() * levels_shown> coverages_;
+    std::array<Kept<double, float, int>, Settings::alphas.size() * levels_shown> coverages_;
 };
 
 }  // namespace relief::materials

@@ -1,14 +1,13 @@
-// The scene of an OBJ file: surfaces, each with its material and the features that its program is compiled for.
+// The scene of lab 08: surfaces of an OBJ file, each with the features that its program is compiled for.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "framework/core/mesh/obj.h"
-#include "task.h"
+#include "framework/core/gl/gpu_mesh.h"
+#include "framework/core/kit/obj_textures.h"
 
 namespace relief::materials {
 
@@ -32,23 +31,9 @@ constexpr std::array<std::pair<Feature, const char*>, 6> feature_words = {{{colo
                                                                            {glass, "glass"}}};
 constexpr unsigned all_features = 63;
 
-/// Which maps of the materials are read. Heights count as normals.
-struct MapSwitches {
-    bool colors = true, normals = true, highlights = true, masks = true;
-    bool operator==(const MapSwitches&) const = default;
-};
-constexpr MapSwitches no_maps{.colors = false, .normals = false, .highlights = false, .masks = false};
-
-/// The triangles of a material, as a range of Scene::mesh.
-struct Piece {
-    Material material;
+struct Piece : ObjSurface {
     unsigned features = 0;
     int program = 0;  ///< counts sets of features, in the order of their first piece
-    uint32_t first_index = 0, index_count = 0;
-    glm::dvec3 centre;  ///< of the bounding box
-    // Names of assets, or empty.
-    std::string colors, highlights, bumps, mask;
-    bool mask_is_alpha = false;  ///< `mask` is the fourth channel of a picture, else the first
 
     bool has(Feature feature) const { return features & feature; }
     bool is_glass() const { return features & glass; }
@@ -61,16 +46,23 @@ struct Scene {
     Mesh mesh;                  ///< with tangents along growing u
     std::vector<Piece> pieces;  ///< in the order of the file, without invisible ones (opacity 0)
     int programs = 0;
-    /// About omitted and substituted parts, and words of the files that have no effect, "file:line: message".
-    std::vector<std::string> notes;
+    std::vector<std::string> notes;  ///< see ObjScene
 };
 
-/// Returns the scene of a model, with the maps that are switched on. `kind_of` decides how map_bump is read. Without
-/// map_d the fourth channel of map_Kd is the mask, if there is one. A map that is missing is left out, with a note.
-/// Throws as read_image() does for a bump map, and as `kind_of` does.
+/// Returns the scene of a model: see make_obj_scene().
 Scene make_scene(ObjModel model, const MapSwitches& maps, const std::function<MapKind(const Image&)>& kind_of);
 
 /// Returns a model of a thousand tiles. Each has a material of its own; there are four sets of features.
 ObjModel thousand_tiles();
+
+/// A scene as it is drawn.
+struct DrawnScene {
+    explicit DrawnScene(Scene made) : scene(std::move(made)) {}
+    DrawnScene(const DrawnScene&) = delete;  // its mesh refers to this object
+
+    const Scene scene;
+    const GpuMesh mesh = upload([this] { return scene.mesh; });
+    ObjTextures textures;
+};
 
 }  // namespace relief::materials

@@ -5,11 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "framework/core/image/image.h"
+#include "framework/core/kit/obj_scene.h"
 
 namespace relief::materials {
-
-enum class MapKind { heights, normals, neither };
 
 /// Returns the first three channels of a texel. Precondition: the picture has three or more.
 inline glm::vec3 color_of(const Image& image, size_t texel) {
@@ -17,7 +15,7 @@ inline glm::vec3 color_of(const Image& image, size_t texel) {
     return {values[0], values[1], values[2]};
 }
 
-/// Returns the kind of map that a picture with 1 to 4 channels in [0, 1] holds.
+/// Returns the kind of map that a picture with 1 to 4 channels in [0, 1] holds: MapKind::heights, normals or neither.
 MapKind kind_of(const Image& image);
 
 /// The input of draw_order() for one surface.

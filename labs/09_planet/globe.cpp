@@ -30,19 +30,18 @@ void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, b
     drop_outdated(std::exchange(recipe_, recipe), maps);
     drawn_.clear();
     for (const Leaf& leaf : patches) drawn_.push_back(leaf.id);
-    const Patches wanted(drawn_.begin(), drawn_.end());
-    std::erase_if(slots_, [&](const auto& slot) { return !wanted.contains(slot.first); });
+    const std::set<SpherePatch> wanted(drawn_.begin(), drawn_.end());
     make_room(int(wanted.size()));
-    make_vertices(take_slots(wanted));
+    make_vertices(slots_.keep(wanted));
     if (maps) make_maps();
 }
 
 /// Drops vertices and maps that another recipe or program made.
 void Globe::drop_outdated(const MapRecipe& before, bool maps) {
     const auto drop_maps = [&] {
-        for (auto& [id, slot] : slots_) slot.has_map = false;
+        for (auto& [id, slot] : slots_) slot.value.has_map = false;
     };
-    if (!(recipe_.shape == before.shape)) slots_.clear();
+    if (!(recipe_.shape == before.shape)) slots_.reset(slots_.capacity());
     if (!maps || recipe_.texels != before.texels) map_.reset();
     if (!map_ || !(recipe_ == before)) drop_maps();
     if (!maps) return;
@@ -54,42 +53,26 @@ void Globe::drop_outdated(const MapRecipe& before, bool maps) {
 /// Makes buffers for this many patches, unless they have room. New ones are empty.
 void Globe::make_room(int patches) {
     if (!buffers_) buffers_.emplace();
-    if (recipe_.shape.quads == grid_.quads && patches <= capacity_) return;
+    if (recipe_.shape.quads == grid_.quads && patches <= slots_.capacity()) return;
     grid_.quads = recipe_.shape.quads;
-    capacity_ = (patches / 64 + 1) * 64;
-    slots_.clear(), map_.reset();
+    slots_.reset((patches / 64 + 1) * 64), map_.reset();
     glBindVertexArray(buffers_->layout);
     const std::vector<uint32_t> indices = grid_.indices();  // the same triangles for all patches
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_->indices);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(),
                  GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * grid_.vertices(), nullptr, GL_DYNAMIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * slots_.capacity() * grid_.vertices(), nullptr,
+                 GL_DYNAMIC_DRAW);
     for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                           reinterpret_cast<const void*>(offsetof(Vertex, local)));
 }
 
-/// Gives each patch without a slot a free one. Returns these patches.
-std::vector<SpherePatch> Globe::take_slots(const Patches& wanted) {
-    const Shape& shape = recipe_.shape;
-    std::vector<bool> taken(size_t(capacity_), false);
-    for (const auto& [id, slot] : slots_) taken[size_t(slot.place)] = true;
-    std::vector<SpherePatch> fresh;
-    for (int next = 0; const SpherePatch& id : wanted) {
-        if (slots_.contains(id)) continue;
-        while (taken[size_t(next)]) ++next;
-        const glm::dvec3 middle = shape.place(direction_at(shape.mapping, id.face, id.on_face({0.5, 0.5})));
-        slots_[id] = {.place = next++, .middle = middle};
-        fresh.push_back(id);
-    }
-    return fresh;
-}
-
 std::vector<Globe::Vertex> Globe::vertices_of(const SpherePatch& patch) const {
     const Shape& shape = recipe_.shape;
-    const glm::dvec3 middle = slots_.at(patch).middle;
+    const glm::dvec3 middle = slots_.at(patch).value.middle;
     std::vector<Vertex> vertices;
     for (int y = 0; y <= shape.quads; ++y)
         for (int x = 0; x <= shape.quads; ++x) {
@@ -107,6 +90,9 @@ std::vector<Globe::Vertex> Globe::vertices_of(const SpherePatch& patch) const {
 }
 
 void Globe::make_vertices(const std::vector<SpherePatch>& fresh) {
+    const Shape& shape = recipe_.shape;
+    for (const SpherePatch& id : fresh)
+        slots_.at(id).value = {.middle = shape.place(direction_at(shape.mapping, id.face, id.on_face({0.5, 0.5})))};
     std::vector<std::vector<Vertex>> made(fresh.size());
     parallel_each(fresh.size(), 0, [&](size_t i) { made[i] = vertices_of(fresh[i]); });
     glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
@@ -135,7 +121,7 @@ void Globe::set_patch(const Program& program, const SpherePatch& patch) const {
 
 void Globe::make_maps() {
     if (!map_) {
-        const int rows = (capacity_ + map_columns - 1) / map_columns;
+        const int rows = (slots_.capacity() + map_columns - 1) / map_columns;
         map_ = std::make_unique<TexelTarget>(glm::ivec2(map_columns, rows) * (recipe_.texels + 2),
                                              std::initializer_list<GLenum>{GL_RGBA32F});
         map_->bind(0);
@@ -144,7 +130,7 @@ void Globe::make_maps() {
     }
     std::vector<SpherePatch> fresh;
     for (auto& [id, slot] : slots_)
-        if (!slot.has_map) fresh.push_back(id);
+        if (!slot.value.has_map) fresh.push_back(id);
     if (fresh.empty()) return;
 
     const size_t batch = batch_columns * batch_columns;
@@ -183,14 +169,14 @@ void Globe::draw_normals(std::span<const SpherePatch> patches, const TexelTarget
     program.set("s_heights", 0);
     heights.bind(0);
     for (int i = 0; const SpherePatch& patch : patches) {
-        Slot& slot = slots_.at(patch);
+        auto& slot = slots_.at(patch);
         const glm::ivec2 corner = tile(slot.place, map_columns, side);
         glViewport(corner.x, corner.y, side, side);
         set_patch(program, patch);
         program.set("u_corner", corner);
         program.set("u_heights_corner", tile(i++, batch_columns, recipe_.texels + 4));
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        slot.has_map = true;
+        slot.value.has_map = true;
     }
 }
 
@@ -216,12 +202,12 @@ std::optional<Image> Globe::map_picture() const {
 }
 
 void Globe::draw(const Program& program, size_t i, const Plan& plan, const Eye& eye, bool precise) const {
-    const Slot& slot = slots_.at(drawn_[i]);
+    const auto& slot = slots_.at(drawn_[i]);
     // Precise: subtracts in double and rounds the difference. Otherwise rounds both, and the shader subtracts.
-    const glm::dvec3 middle = slot.middle * plan.radius, from = eye.place * plan.radius;
+    const glm::dvec3 middle = slot.value.middle * plan.radius, from = eye.place * plan.radius;
     program.set("u_middle", precise ? glm::vec3(middle - from) : glm::vec3(middle));
     program.set("u_minus", precise ? glm::vec3(0) : glm::vec3(from));
-    program.set("u_centre", slot.middle);
+    program.set("u_centre", slot.value.middle);
     program.set("u_map_corner", map_ ? map_corner(i) : glm::ivec2(0));
     glBindVertexArray(buffers_->layout);
     glDrawElementsBaseVertex(GL_TRIANGLES, 3 * triangles_of_patch(plan.skirts), GL_UNSIGNED_INT, nullptr,

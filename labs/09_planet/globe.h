@@ -2,12 +2,12 @@
 // computes.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <set>
 #include <span>
 
 #include "framework/core/gl/texel_target.h"
+#include "framework/core/kit/slots.h"
+#include "framework/core/lab/lab.h"
 #include "framework/core/mesh/skirted_patch.h"
 #include "patches.h"
 
@@ -79,9 +79,8 @@ private:
         float is_skirt;
         glm::vec2 local;
     };
-    /// A patch's share of the buffer and of the map.
-    struct Slot {
-        int place = 0;
+    /// A patch with vertices in the buffer and a tile of the map.
+    struct Made {
         glm::dvec3 middle;  ///< of the patch, radii
         bool has_map = false;
     };
@@ -89,10 +88,8 @@ private:
         VertexArrayName layout, nothing;
         BufferName vertices, indices;
     };
-    using Patches = std::set<SpherePatch>;
     void drop_outdated(const MapRecipe& before, bool maps);
     void make_room(int patches);
-    std::vector<SpherePatch> take_slots(const Patches& wanted);
     std::vector<Vertex> vertices_of(const SpherePatch& patch) const;
     void make_vertices(const std::vector<SpherePatch>& fresh);
     const Program& heights_program() const;
@@ -107,12 +104,11 @@ private:
     Programs normals_{"common/window.vert", "09_planet/normals.frag"};
     std::optional<Buffers> buffers_;
     std::unique_ptr<TexelTarget> map_;
-    std::map<SpherePatch, Slot> slots_;
+    Slots<SpherePatch, Made> slots_;
     std::vector<SpherePatch> drawn_;
     MapRecipe recipe_;
     std::array<GLuint, 2> programs_{};
     SkirtedPatch grid_{0};
-    int capacity_ = 0;  ///< patches
 };
 
 /// Sets the uniforms of shaders/09_planet/heights.glsl. Precondition: the program is in use.

@@ -84,14 +84,17 @@ private:
     void draw_ground(const Probe& probe, const View& view, const Globe& globe) {
         const Plan& plan = view.plan;
         const bool has_map = !probe || probe.name == "normal";
+        const int lit = lit_by(view, probe);
         const Program& program =
             surface_.with({probe, !probe && view.shows_patches ? "PATCHES" : "", plan.skirts ? "SKIRTS" : "",
-                           Settings::normal_sources.define(has_map && view.by_vertices), depth_define()});
+                           Settings::normal_sources.define(lit),
+                           lit == Settings::lit_by_bumps ? mapping_define(plan.shape.mapping) : "", depth_define()});
         glUseProgram(program);
         set_eye(program, view.seen_from, plan.radius);
         program.set("u_radius", plan.radius);
         program.set("u_to_sun", settings_.sun.direction());
         program.set("u_quads", float(plan.shape.quads));
+        program.set("s_bumps", 1, bumps_);
         program.set("u_texels", view.recipe.texels);
         if (has_map) {
             program.set("s_map", 0);
@@ -104,8 +107,17 @@ private:
             const auto& [id, state] = view.leaves[i];
             program.set("u_level", state == Leaf::drawn ? float(id.level) : state == Leaf::hidden ? -1.0f : -2.0f);
             program.set("u_skirt", needs_skirts ? skirt_depth(metres, id.level) : 0.0);
+            set_grid(program, plan.shape.mapping, id);
             globe.draw(program, i, plan, view.seen_from, settings_.precise == Settings::camera_relative);
         }
+    }
+
+    /// Returns the normals that light a view. Probes and the picture of patches have no bumps.
+    static int lit_by(const View& view, const Probe& probe) {
+        const bool has_bumps = view.lit_by == Settings::lit_by_bumps && !probe && !view.shows_patches;
+        const bool is_lit = !probe || probe.name == "normal";
+        return has_bumps || (is_lit && view.lit_by == Settings::lit_by_vertices) ? view.lit_by
+                                                                                 : int(Settings::lit_by_map);
     }
 
     void draw_frames(const View& view, const Globe& globe) {
@@ -124,8 +136,7 @@ private:
         glBindVertexArray(nothing_.layout());
         for (size_t i = 0; i < view.leaves.size(); ++i) {
             const SpherePatch& patch = view.leaves[i].id;
-            program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
-            program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+            set_grid(program, mapping, patch);
             program.set("u_map_corner", globe.map_corner(i));
             glDrawArrays(GL_TRIANGLES, 0, 18 * side * side);
         }
@@ -154,6 +165,11 @@ private:
         program.set("u_far", (glm::length(eye.place) + 2) * radius);
         program.set("u_eye", eye.place);
     }
+    /// Sets where a patch is on its face, for shaders/09_planet/grid.glsl.
+    static void set_grid(const Program& program, SphereMapping mapping, const SpherePatch& patch) {
+        program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
+        program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+    }
     Define depth_define() const { return Settings::depths.define(settings_.depth); }
 
     // ---- the faces, spread out flat
@@ -163,12 +179,14 @@ private:
         const bool is_lat_long = mapping == SphereMapping::lat_long;
         const std::vector<Tile> tiles = tile_grid(frame.size, is_lat_long ? 2 : 3, is_lat_long ? 1 : 2);
         const Define shown = frame.probe.name == "normal" && by_formula() ? Define("PROBE_formula") : frame.probe;
-        const Program& program = flat_.with({shown, mapping_define(mapping)});
+        const bool has_bumps = view.lit_by == Settings::lit_by_bumps && !frame.probe;
+        const Program& program = flat_.with({shown, mapping_define(mapping), has_bumps ? "BUMPS" : ""});
         glUseProgram(program);
         glDisable(GL_DEPTH_TEST);
         set_ground(program, view.plan.shape.ground);
         program.set("u_to_sun", settings_.sun.direction());
         program.set("u_texels", view.recipe.texels);
+        program.set("s_bumps", 1, bumps_);
         program.set("s_map", 0);
         globe.bind_maps(0);
         glBindVertexArray(nothing_.layout());
@@ -181,8 +199,7 @@ private:
             const glm::ivec2 begin(glm::ceil(low - 0.5)), end(glm::ceil(low + size - 0.5));
             glViewport(begin.x, begin.y, end.x - begin.x, end.y - begin.y);
             program.set("u_window", glm::vec4(low, size));
-            program.set("u_face", glm::mat3(face_axes(mapping, patch.face)));
-            program.set("u_patch_on_face", glm::vec4(patch.on_face({0, 0}), patch.on_face({1, 1})));
+            set_grid(program, mapping, patch);
             program.set("u_patch", glm::ivec2(patch.x, patch.y));
             program.set("u_level", patch.level);
             program.set("u_map_corner", globe.map_corner(i));
@@ -209,6 +226,7 @@ private:
     Programs frames_{"09_planet/frames.vert", "09_planet/frames.frag"};
     Programs sky_{"common/far_window.vert", "09_planet/sky.frag"};
     std::array<Globe, 3> globes_;
+    Texture bumps_ = load_texture("bricks_normal.png", ColorSpace::linear);
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
 };

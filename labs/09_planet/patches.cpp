@@ -20,30 +20,6 @@ const PatchedSphere& patches_of(const Shape& shape) {
         .first->second;
 }
 
-Eye Eye::of(const Camera& camera, double aspect) {
-    return {camera.eye(), glm::dmat3(camera.view_from_world()), glm::radians(camera.orbit().field_of_view), aspect};
-}
-
-Eye Eye::looking(const glm::dvec3& place, const glm::dvec3& along, const glm::dvec3& up, double field_of_view_rad,
-                 double aspect) {
-    const glm::dvec3 right = glm::normalize(glm::cross(along, up)), above = glm::cross(right, along);
-    return {place, glm::transpose(glm::dmat3(right, above, -along)), field_of_view_rad, aspect};
-}
-
-Ray Eye::ray(glm::dvec2 clip) const {
-    const glm::dvec3 seen(clip.x * tangent() * aspect, clip.y * tangent(), -1);
-    return {place, glm::normalize(glm::transpose(view_from_world) * seen)};
-}
-
-bool Eye::misses(const glm::dvec3& middle, double radius) const {
-    const glm::dvec3 seen = view_from_world * (middle - place);
-    const double y = tangent(), x = y * aspect;
-    // Signed distances to the side planes of the view frustum, positive inside.
-    const double sideways = (-seen.z * x - std::abs(seen.x)) / std::sqrt(1 + x * x);
-    const double upwards = (-seen.z * y - std::abs(seen.y)) / std::sqrt(1 + y * y);
-    return seen.z > radius || sideways < -radius || upwards < -radius;
-}
-
 Rules students_rules() { return {split_distance, skirt_depth, behind_horizon}; }
 
 namespace {

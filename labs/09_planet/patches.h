@@ -6,7 +6,7 @@
 
 #include "framework/core/height/sphere_patches.h"
 #include "framework/core/kit/choices.h"
-#include "framework/core/lab/lab.h"
+#include "framework/core/kit/eye.h"
 #include "heights.h"
 
 namespace relief::planet {
@@ -26,24 +26,6 @@ struct Shape {
 /// takes longer than a frame.
 const PatchedSphere& patches_of(const Shape& shape);
 
-/// An eye near a planet of radius 1 at the origin.
-struct Eye {
-    glm::dvec3 place{0, 0, 3};
-    glm::dmat3 view_from_world{1};  ///< a rotation
-    double field_of_view_rad = 0.7, aspect = 1;
-
-    static Eye of(const Camera& camera, double aspect);
-    /// Returns an eye at `place` that looks along the unit vector `along`, with `up` upwards in the picture.
-    static Eye looking(const glm::dvec3& place, const glm::dvec3& along, const glm::dvec3& up, double field_of_view_rad,
-                       double aspect);
-    /// Returns the tangent of half the field of view.
-    double tangent() const { return std::tan(field_of_view_rad / 2); }
-    /// Returns the ray of unit direction through a place of the picture, with x and y in [-1, 1].
-    Ray ray(glm::dvec2 clip) const;
-    /// Returns whether a sphere is wholly outside of the picture or behind the eye. Conservative: may return false.
-    bool misses(const glm::dvec3& middle, double radius) const;
-};
-
 enum class Levels : int { uniform, distance, error };
 inline constexpr auto level_rules =
     choices<Levels>({{Levels::uniform, "uniform"}, {Levels::distance, "distance"}, {Levels::error, "error"}});
@@ -60,8 +42,8 @@ struct Plan {
     Cull cull = Cull::horizon;
     double radius = 1;  ///< metres
     bool skirts = true;
-    double pixels = 512;  ///< height of the picture
-    Eye eye;
+    double pixels = 512;         ///< height of the picture
+    Eye eye;                     ///< near a planet of radius 1 at the origin
     size_t most_patches = 6144;  ///< at least 6, one per face; patches with the greatest need are split first
 };
 

@@ -19,9 +19,9 @@ struct Settings {
                                                  {frames, "frames"}});
     enum SlopesFrom { by_map, by_formula };
     static constexpr auto slope_sources = choices<SlopesFrom>({{by_map, "map"}, {by_formula, "formula"}});
-    enum LitBy { lit_by_map, lit_by_vertices };
-    static constexpr auto normal_sources =
-        choices<LitBy>({{lit_by_map, "map"}, {lit_by_vertices, "vertices", "VERTEX_NORMALS"}});
+    enum LitBy { lit_by_map, lit_by_vertices, lit_by_bumps };
+    static constexpr auto normal_sources = choices<LitBy>(
+        {{lit_by_map, "map"}, {lit_by_vertices, "vertices", "VERTEX_NORMALS"}, {lit_by_bumps, "bumps", "BUMPS"}});
     enum EyeAt { at_camera, on_ground };
     static constexpr auto eyes = choices<EyeAt>({{at_camera, "camera"}, {on_ground, "ground"}});
     enum Precision { camera_relative, single };
@@ -55,7 +55,7 @@ struct Settings {
         knobs.choice("slopes_from", slopes_from, slope_sources.names,
                      "for view = faces: slopes by a filter in the map, or from the heights' formula");
         knobs.choice("lit_by", lit_by, normal_sources.names,
-                     "normals of the map, or those at the vertices, interpolated");
+                     "normals of the map, those at the vertices, interpolated, or the map's with bricks on each face");
         knobs.toggle("gutter", gutter, "maps go on beyond the border of their patch, or repeat its last texel");
         knobs.choice("strength", strength, strengths.names, "by what a level multiplies its slopes");
         knobs.group("Patches");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "framework/core/base/from_staff.h"
+#include "framework/core/lab/lab.h"
 #include "patches.h"
 
 namespace relief::planet {

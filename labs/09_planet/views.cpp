@@ -62,7 +62,7 @@ View view_in(const Settings& s, const Frame& frame, const Tile& tile, const char
                        .gutter = s.gutter,
                        .strength = Strength(s.strength),
                        .slopes = frame.probe.name == "slope"},
-            .by_vertices = s.lit_by == Settings::lit_by_vertices};
+            .lit_by = s.lit_by};
 }
 
 // Changes to a view of the knobs.
@@ -89,8 +89,8 @@ View with_frames(View view) {
     view.shows_frames = true;
     return view;
 }
-View by_vertices(View view, bool by_vertices) {
-    view.by_vertices = by_vertices;
+View lit(View view, Settings::LitBy lit_by) {
+    view.lit_by = lit_by;
     return view;
 }
 
@@ -118,8 +118,8 @@ std::vector<View> frames(const Settings& s, const Frame& frame) {
 
 std::vector<View> mountains(const Settings& s, const Frame& frame) {
     const auto tiles = tiles_of(frame.size, 2);
-    return {by_vertices(view_in(s, frame, tiles[0], "normals of the map"), false),
-            by_vertices(view_in(s, frame, tiles[1], "normals of the vertices"), true)};
+    return {lit(view_in(s, frame, tiles[0], "normals of the map"), Settings::lit_by_map),
+            lit(view_in(s, frame, tiles[1], "normals of the vertices"), Settings::lit_by_vertices)};
 }
 
 /// Both views have the same patches: those that the eye's picture needs.

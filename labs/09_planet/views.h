@@ -16,7 +16,8 @@ struct View {
     Plan plan;      ///< which patches
     Eye seen_from;  ///< the plan's eye, or another one that looks at the plan's patches
     MapRecipe recipe;
-    bool is_flat = false, shows_patches = false, shows_frames = false, by_vertices = false;
+    bool is_flat = false, shows_patches = false, shows_frames = false;
+    int lit_by = Settings::lit_by_map;
     int most_texels = 0;            ///< this view's share of a picture's
     std::vector<Leaf> leaves = {};  ///< the patches to draw, from cover_with_patches()
     std::string bounded = {};       ///< the limits that reduced patches or texels, in words; or empty

@@ -3,6 +3,9 @@
 
 #include "09_planet/air.glsl"
 #include "09_planet/grid.glsl"
+#ifdef BUMPS
+#include "09_planet/bumps.glsl"
+#endif
 #include "09_planet/ground.glsl"
 #include "09_planet/heights.glsl"
 #include "09_planet/map.glsl"
@@ -65,10 +68,14 @@ void main() {
     if (texel.w < -8.0) is_unfinished = true;
     vec3 r = grid_direction(u_face, st), albedo;
     float gloss;
-    ground(texel.w, r, texel.xyz, r, albedo, gloss);
+    vec3 normal = texel.xyz;
+    ground(texel.w, r, normal, r, albedo, gloss);
+#ifdef BUMPS
+    normal = bumped(normal, u_face, st);
+#endif
     // Each face has its own light, from the upper left.
     vec3 to_light = normalize(u_face * vec3(-0.8, 0.6, 0.55));
-    vec3 light = albedo * (0.35 + 2.0 * max(dot(texel.xyz, to_light), 0.0));
+    vec3 light = albedo * (0.35 + 2.0 * max(dot(normal, to_light), 0.0));
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -8,6 +8,12 @@
 #include "common/heat.glsl"
 #include "common/srgb.glsl"
 #include "common/unfinished.glsl"
+#ifdef BUMPS
+#include "09_planet/grid.glsl"
+#include "09_planet/bumps.glsl"
+uniform mat3 u_face;
+uniform vec4 u_patch_on_face;  // s and t of its lower left corner, then of its upper right one
+#endif
 
 in vec3 v_from_eye;
 in vec2 v_local;
@@ -63,6 +69,10 @@ void main() {
     vec3 albedo;
     float gloss;
     ground(texel.w, up, normal, place, albedo, gloss);
+#ifdef BUMPS
+    normal = bumped(normal, u_face, mix(u_patch_on_face.xy, u_patch_on_face.zw, v_local));
+    gloss = 0.0;  // highlights on the sea's bricks would sparkle
+#endif
     vec3 sun = sunlight(length(place) - 1.0, dot(up, u_to_sun));
     float facing = max(dot(normal, u_to_sun), 0.0);
     vec3 half_ = normalize(u_to_sun + to_eye);

@@ -3,15 +3,17 @@
 
 #include "framework/core/base/paths.h"
 #include "framework/core/gl/counters.h"
+#include "framework/core/image/file.h"
 #include "framework/staff/reference/masks.h"
 #include "labs/08_obj_materials/scene.h"
+#include "labs/08_obj_materials/task.h"
 #include "tests/labs/shots.h"
 #include "tests/support.h"
 
 namespace relief {
 namespace {
 
-using materials::draw_order, materials::kind_of, materials::make_scene, materials::MapKind, materials::Scene;
+using materials::draw_order, materials::kind_of, materials::make_scene, materials::Scene;
 
 Shot panes(std::vector<Knob> knobs, double yaw) {
     Shot shot = shot_of("08", {{"view", "one"}, {"maps", "off"}}, "color", {64, 64});
@@ -144,19 +146,6 @@ TEST(ObjMaterials, MissingMaterialsAreGreyAndMissingMapsLeftOutWithANote) {
     EXPECT_GT(light.pixel(64, 120)[0], 0.2f);
 }
 
-TEST(ObjMaterials, WordsWithoutEffectAreNamedInANote) {
-    EXPECT_TRUE(scene_of("Kd 1 0 0\nKs 1 1 1\nKe 1 0 0\nNs 9\nd 0.5\n").notes.empty());
-    EXPECT_TRUE(scene_of("map_Kd -bm 2 none.png\n").notes.at(0).ends_with("none.png is not there"));
-    EXPECT_EQ(scene_of("illum 2\n").notes, std::vector<std::string>{"model.mtl:1: illum of 'a' has no effect here"});
-    const Scene scene = scene_of(
-        "Ka 1 1 1\nillum 2\nTf 1 0 0\nillum 1\nmap_Ka a.png\nmap_Ke a.png\nmap_Ns a.png\ndisp a.png\n"
-        "map_d -s 2 2 -o 1 -t 0 -clamp on -mm 0 1 -texres 64 none.png\n");
-    ASSERT_EQ(scene.notes.size(), 2u) << "and the missing map";
-    EXPECT_EQ(scene.notes[0],
-              "model.mtl:1: Ka, illum, Tf, map_Ka, map_Ke, map_Ns, disp, -s, -o, -t, -clamp, -mm and -texres of 'a' "
-              "have no effect here");
-}
-
 TEST(ObjMaterials, EachSwitchLeavesOutItsMapsOnly) {
     using namespace materials;
     const ObjModel lawn = read_obj(course_root() / "assets/lawn.obj");  // a lawn, a hedge, bricks
@@ -208,6 +197,26 @@ TEST(ObjMaterials, AWipeOfNormalsHasTheColoursOnBothSides) {
                 apart += std::abs(on.pixel(x, y)[c] - off.pixel(x, y)[c]) > 0.02f;
             }
     EXPECT_GT(apart, 300u);
+}
+
+TEST(ObjMaterials, AnOwnFileIsDrawnWithTheMapsOfItsFolderAndHasNoExactValues) {
+    const TemporaryFolder folder;
+    Image green(2, 2, 3, 8);
+    for (size_t i = 1; i < green.values.size(); i += 3) green.values[i] = 1;
+    write_image(folder.path() / "green.png", green);
+    folder.write("own.mtl", "newmtl a\nmap_Kd green.png\n");
+    const std::string file = folder.write("own.obj",
+                                          "mtllib own.mtl\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nvt 0 0\nvt 1 0\n"
+                                          "vt 1 1\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3 4/4\n");
+    const auto middle = [&](const char* maps) {
+        const Shot shot = shot_of("08", {{"view", "one"}, {"file", file}, {"maps", maps}}, "color", {64, 64});
+        EXPECT_THROW(truth_of(*make_lab(find_lab("08"), shot), shot), Error);
+        const float* const pixel = drawn("08", shot).pixel(32, 32);
+        return glm::vec3(pixel[0], pixel[1], pixel[2]);
+    };
+    EXPECT_GT(middle("on").y, 0.01f);
+    EXPECT_EQ(middle("on").x, 0);
+    EXPECT_GT(middle("off").x, 0.01f) << "white without its map";
 }
 
 TEST(ObjMaterials, AnInvalidFileThrowsAOneLineError) {

@@ -373,6 +373,40 @@ TEST(Planet, HorizonSkirtsAndSplitsFollowTheirFormulas) {
     EXPECT_FALSE(behind_horizon(0, 0, 1, 1));
 }
 
+TEST(Planet, BumpsAreAlikeOnAllFacesOfAMapAndInNoProbe) {
+    const auto smooth = [](const char* view, const char* lit_by, const char* mapping, const char* probe) {
+        return drawn("09", shot_of("09",
+                                   {{"view", view},
+                                    {"lit_by", lit_by},
+                                    {"mapping", mapping},
+                                    {"height", "0"},
+                                    {"level", "0"},
+                                    {"texels", "16"}},
+                                   probe, {288, 192}));
+    };
+    const Image flat = smooth("faces", "bumps", "equal-angle", ""), plain = smooth("faces", "map", "equal-angle", "");
+    // Each face has its own light from its upper left, so the bricks shade all alike: the ratio to the plain picture.
+    double apart = 0;
+    size_t bumpy = 0, of_faces = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            const auto shade = [&](int face, const Image& picture) {
+                const float* const pixel = picture.pixel(x + face % 3 * 96, y + face / 3 * 96);
+                return double(pixel[0] + pixel[1] + pixel[2]);
+            };
+            bumpy += std::abs(shade(0, flat) - shade(0, plain)) > 0.02;
+            for (int face = 1; face < 6; ++face, ++of_faces)
+                apart += std::abs(shade(face, flat) / shade(face, plain) - shade(0, flat) / shade(0, plain));
+        }
+    EXPECT_GT(bumpy, 3000u);
+    EXPECT_LT(apart / double(of_faces), 0.05) << "0.025; it is 0.062 if one face is upside down";
+    for (const char* mapping : {"equal-angle", "lat-long"})
+        EXPECT_EQ(smooth("planet", "bumps", mapping, "normal").values,
+                  smooth("planet", "map", mapping, "normal").values);
+    EXPECT_EQ(smooth("patches", "bumps", "equal-angle", "level").values,
+              smooth("patches", "map", "equal-angle", "level").values);
+}
+
 TEST(Planet, TheCaptionCountsSkirtsOnlyWhereTheyAreDrawn) {
     const auto caption = [](const char* skirts) {
         const Image picture = drawn("09", shot_of("09", {{"view", "patches"}, {"skirts", skirts}}, "", {800, 400}));

@@ -71,7 +71,9 @@ ColorSpace space_of(const std::string& name) {
 }
 
 /// Returns the texels that the build made of a picture, or nothing when they are missing or of another version of it.
+/// A picture outside of the folder has none.
 std::optional<Texels> converted(const std::string& name) {
+    if (name.starts_with("..")) return {};
     const std::optional<uint64_t> source = fingerprint_of(course_root() / "assets" / name);
     std::optional<Texels> texels;
     if (source) texels = map_texels(framework_folder() / "textures" / (name + ".texels"), *source);

@@ -10,7 +10,7 @@
 
 namespace relief {
 
-/// Returns the picture in assets/NAME. Throws as read_image() does.
+/// Returns the picture in assets/NAME. NAME may climb out of that folder with "..". Throws as read_image() does.
 Image read_asset(const std::string& name);
 
 /// Returns the picture's mip chain for a colour space, as mip_chain() makes it. Throws as read_image() does.

@@ -39,4 +39,12 @@ consteval Choices<count> choices(const Choice<Value> (&rows)[count]) {
     return table;
 }
 
+/// Returns the names of the rows of a table with other columns, which has a member `name` for each row.
+template <class Row, size_t count>
+constexpr std::array<const char*, count> names_of(const std::array<Row, count>& rows) {
+    std::array<const char*, count> names{};
+    for (size_t i = 0; i < count; ++i) names[i] = rows[i].name;
+    return names;
+}
+
 }  // namespace relief

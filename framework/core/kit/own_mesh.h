@@ -25,6 +25,11 @@ struct Placement {
 /// Returns the placement that prepared_model() applies. Throws as it does.
 Placement placement_of(const Mesh& mesh, double radius);
 
+/// Returns a place in the lab that one placement has given, as another placement gives it.
+inline glm::dvec3 placed(const glm::dvec3& place, const Placement& from, const Placement& to) {
+    return to.scale * (place / from.scale + from.middle - to.middle);
+}
+
 /// Returns the mesh with a vertex for each corner, which has the tangent of its triangle, made perpendicular to the
 /// corner's normal. A triangle without area in uv keeps the tangents that it has.
 Mesh with_face_tangents(const Mesh& mesh);

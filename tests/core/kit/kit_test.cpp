@@ -12,9 +12,12 @@
 #include "framework/core/kit/culling.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/line_drawing.h"
 #include "framework/core/kit/numbers.h"
+#include "framework/core/kit/obj_textures.h"
 #include "framework/core/kit/ray_mesh.h"
 #include "framework/core/kit/relief_material.h"
+#include "framework/core/kit/slots.h"
 #include "framework/core/kit/window_triangle.h"
 #include "tests/support.h"
 
@@ -28,6 +31,72 @@ TEST(Choices, HoldNamesAndDefinitionsByValue) {
     EXPECT_STREQ(methods.names[by_size], "size");
     EXPECT_EQ(methods.define(by_size).text, "BY_SIZE 2");
     EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
+}
+
+TEST(ObjTextures, AreOneForEachMapAndColorSpace) {
+    ObjTextures textures;
+    EXPECT_EQ(textures.texture("", ColorSpace::linear), nullptr);
+    const Texture* const linear = textures.texture("ivy_with_alpha.png", ColorSpace::linear);
+    EXPECT_EQ(textures.texture("ivy_with_alpha.png", ColorSpace::linear), linear);
+    EXPECT_NE(textures.texture("ivy_with_alpha.png", ColorSpace::srgb), linear);
+    ObjSurface surface;
+    EXPECT_EQ(textures.mask(surface), nullptr);
+    surface.mask = "ivy_with_alpha.png";
+    EXPECT_EQ(textures.mask(surface), linear);
+    const std::vector<float> by_first_channel = textures.scales(surface);
+    surface.mask_is_alpha = true;
+    EXPECT_NE(textures.mask(surface), linear) << "the fourth channel";
+    EXPECT_EQ(textures.scales(surface), mask_scales("ivy_with_alpha.png", true));
+    EXPECT_NE(textures.scales(surface), by_first_channel);
+}
+
+TEST(Choices, NamesOfATableWithOtherColumnsAreInItsOrder) {
+    struct Format {
+        const char* name;
+        int bytes;
+    };
+    static constexpr std::array<Format, 2> formats = {{{"half", 2}, {"float", 4}}};
+    static constexpr auto names = names_of(formats);
+    EXPECT_STREQ(names[0], "half");
+    EXPECT_STREQ(names[1], "float");
+}
+
+TEST(LineDrawing, FillsTheMiddleOfItsTileAndKeepsTheProportions) {
+    LineDrawing drawing;
+    const auto covered = [&](const std::vector<DrawnLine>& lines) {
+        const Image picture = draw_numbers({100, 50}, [&] { drawing.draw({{50, 0}, {50, 50}}, lines); });
+        glm::ivec2 low(100), high(-1);
+        for (int y = 0; y < 50; ++y)
+            for (int x = 0; x < 100; ++x)
+                if (picture.pixel(x, y)[0] == 0.25f) low = glm::min(low, {x, y}), high = glm::max(high, {x, y});
+        return std::pair(low, high);
+    };
+    const glm::vec3 color(0.25f, 1, 1);
+    // A square of 84 % of the tile's 50 pixels: from 4 to 46, with lines 20 times as wide as usual, 20 pixels.
+    const auto [low, high] = covered({{{-3, 5}, {7, 5}, color, 20}, {{-3, 15}, {7, 15}, color, 20}});
+    EXPECT_EQ(low, glm::ivec2(54, 0)) << "half of a line is above the square, and cut off";
+    EXPECT_EQ(high, glm::ivec2(95, 49));
+    EXPECT_EQ(covered({{{1, 1}, {1, 1}, color, 1}}).second, glm::ivec2(-1)) << "without length";
+    EXPECT_EQ(covered({}).second, glm::ivec2(-1));
+    EXPECT_FALSE(glIsEnabled(GL_DEPTH_TEST)) << "as before";
+}
+
+TEST(Slots, KeepTheirPlacesAsLongAsTheyAreWanted) {
+    Slots<std::string, int> slots;
+    slots.reset(3);
+    EXPECT_EQ(slots.keep({"b", "a"}), (std::vector<std::string>{"a", "b"}));
+    slots.at("b").value = 7;
+    EXPECT_EQ(slots.keep({"b", "c", "d"}), (std::vector<std::string>{"c", "d"}));
+    EXPECT_EQ(slots.at("b").place, 1);
+    EXPECT_EQ(slots.at("b").value, 7);
+    EXPECT_EQ(slots.at("c").place, 0) << "the place of a, which is free";
+    EXPECT_EQ(slots.at("d").place, 2);
+    EXPECT_EQ(slots.at("d").value, 0);
+    EXPECT_THROW(slots.at("a"), std::out_of_range);
+    slots.reset(9);
+    EXPECT_EQ(slots.capacity(), 9);
+    EXPECT_EQ(slots.keep({"b"}), std::vector<std::string>{"b"});
+    EXPECT_EQ(slots.at("b").place, 0);
 }
 
 TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {

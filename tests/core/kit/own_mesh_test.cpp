@@ -43,6 +43,14 @@ TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
     EXPECT_LT(glm::distance(sums.high, {4, 2, 1}), 1e-6);
 }
 
+TEST(OwnMesh, IsPlacedAsAnotherModelIsByItsPlacement) {
+    const Placement small{{1, 2, 3}, 0.5}, large{{0, 2, 0}, 4};
+    const glm::dvec3 in_file(7, 1, 2);
+    const glm::dvec3 in_lab = small.scale * (in_file - small.middle);
+    EXPECT_LT(glm::distance(placed(in_lab, small, large), large.scale * (in_file - large.middle)), 1e-12);
+    EXPECT_EQ(placed(in_lab, small, small), in_lab);
+}
+
 TEST(OwnMesh, WithoutUvIsProjectedAlongItsAxesAsTheCoursesBoxIs) {
     const Mesh mesh = with_face_tangents(prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0)));
     const Mesh wanted = make_box({.size = {8, 4, 2}});

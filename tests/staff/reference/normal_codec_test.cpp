@@ -19,12 +19,12 @@ static void PrintTo(NormalFormat format, std::ostream* stream) { *stream << info
 
 namespace {
 
-using F = NormalFormat;
+using Coding = NormalFormat;
 
-double round_trip(F encoder, F decoder, glm::dvec3 normal) {
+double round_trip(Coding encoder, Coding decoder, glm::dvec3 normal) {
     return degrees_between(decode_normal(decoder, encode_normal(encoder, normal)), normal);
 }
-double round_trip(F format, glm::dvec3 normal) { return round_trip(format, format, normal); }
+double round_trip(Coding format, glm::dvec3 normal) { return round_trip(format, format, normal); }
 
 struct Cost {
     double mean = 0, largest = 0;
@@ -32,7 +32,7 @@ struct Cost {
 
 /// Measures the error over directions that are uniform on the part of the sphere with z >= lowest. By Archimedes, z is
 /// uniform.
-Cost cost(F encoder, F decoder, double lowest, int count) {
+Cost cost(Coding encoder, Coding decoder, double lowest, int count) {
     constexpr int pieces = 16;  // each with its own seed, so that the result does not depend on the threads
     std::vector<Cost> costs(pieces);
     parallel_pieces(pieces, 1, 0, [&](size_t begin, size_t end) {
@@ -59,13 +59,13 @@ TEST(NormalFormat, HasTheErrorPublishedByCigolleEtAl) {
     // "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2), 2014: mean and maximum in
     // degrees.
     struct Row {
-        F format;
+        Coding format;
         double mean, largest;
     };
-    for (const Row& row :
-         {Row{F::oct8, 0.33709, 0.94424}, Row{F::snorm8, 0.17015, 0.38588}, Row{F::oct12, 0.02091, 0.05874},
-          Row{F::oct8_precise, 0.31485, 0.63575}, Row{F::oct12_precise, 0.01953, 0.03928},
-          Row{F::oct16, 0.00131, 0.00366}, Row{F::oct16_precise, 0.00122, 0.00246}}) {
+    for (const Row& row : {Row{Coding::oct8, 0.33709, 0.94424}, Row{Coding::snorm8, 0.17015, 0.38588},
+                           Row{Coding::oct12, 0.02091, 0.05874}, Row{Coding::oct8_precise, 0.31485, 0.63575},
+                           Row{Coding::oct12_precise, 0.01953, 0.03928}, Row{Coding::oct16, 0.00131, 0.00366},
+                           Row{Coding::oct16_precise, 0.00122, 0.00246}}) {
         const Cost measured = cost(row.format, row.format, sphere, samples);
         // The mean of 200,000 samples varies by 0.1 %, and the last row is printed with three digits. A sampled maximum
         // is a lower bound: here with fewer samples than theirs, elsewhere up to 0.8 % above.
@@ -77,19 +77,23 @@ TEST(NormalFormat, HasTheErrorPublishedByCigolleEtAl) {
 
 TEST(NormalFormat, HasTheKnownErrorOnSphereHemisphereAndCone) {
     struct Row {
-        F encoder, decoder;
+        Coding encoder, decoder;
         double part, mean, largest;
     };
     // Measured once with 2,000,000 vectors by an independent program.
-    for (const Row& row :
-         {Row{F::unorm8, F::unorm8, sphere, 0.16962, 0.38646}, Row{F::unorm8, F::unorm8, cone60, 0.16943, 0.38571},
-          Row{F::paired8, F::paired8, sphere, 0.17016, 0.38681}, Row{F::paired8, F::unorm8, sphere, 0.34046, 0.77520},
-          Row{F::unorm8_truncated, F::unorm8, sphere, 0.33911, 0.76880},
-          Row{F::rg8, F::rg8, hemisphere, 0.46714, 5.91003}, Row{F::rg8, F::rg8, cone60, 0.20699, 0.62379},
-          Row{F::rg16, F::rg16, hemisphere, 0.00298, 0.35770}, Row{F::rg16, F::rg16, cone60, 0.00081, 0.00240},
-          Row{F::oct8, F::oct8, sphere, 0.33691, 0.95169}, Row{F::oct8, F::oct8, cone60, 0.34509, 0.95354},
-          Row{F::oct8_precise, F::oct8_precise, sphere, 0.31479, 0.63501},
-          Row{F::oct8_precise, F::oct8_precise, cone60, 0.32442, 0.63491}}) {
+    for (const Row& row : {Row{Coding::unorm8, Coding::unorm8, sphere, 0.16962, 0.38646},
+                           Row{Coding::unorm8, Coding::unorm8, cone60, 0.16943, 0.38571},
+                           Row{Coding::paired8, Coding::paired8, sphere, 0.17016, 0.38681},
+                           Row{Coding::paired8, Coding::unorm8, sphere, 0.34046, 0.77520},
+                           Row{Coding::unorm8_truncated, Coding::unorm8, sphere, 0.33911, 0.76880},
+                           Row{Coding::rg8, Coding::rg8, hemisphere, 0.46714, 5.91003},
+                           Row{Coding::rg8, Coding::rg8, cone60, 0.20699, 0.62379},
+                           Row{Coding::rg16, Coding::rg16, hemisphere, 0.00298, 0.35770},
+                           Row{Coding::rg16, Coding::rg16, cone60, 0.00081, 0.00240},
+                           Row{Coding::oct8, Coding::oct8, sphere, 0.33691, 0.95169},
+                           Row{Coding::oct8, Coding::oct8, cone60, 0.34509, 0.95354},
+                           Row{Coding::oct8_precise, Coding::oct8_precise, sphere, 0.31479, 0.63501},
+                           Row{Coding::oct8_precise, Coding::oct8_precise, cone60, 0.32442, 0.63491}}) {
         // Maxima of codecs that store x, y and z separately are rare, and rarest at the horizon. These codecs get more
         // samples.
         const bool is_octahedral = info_of(row.decoder).name.starts_with("oct");
@@ -99,14 +103,14 @@ TEST(NormalFormat, HasTheKnownErrorOnSphereHemisphereAndCone) {
         EXPECT_GE(measured.largest, 0.99 * row.largest);
         // At the rim of the cone, half a step in x and in y is 2 sqrt(2) / 65535, or 0.00247 degrees: 3 % above the
         // table's value.
-        EXPECT_LE(measured.largest, (row.decoder == F::rg16 ? 1.031 : 1.015) * row.largest);
+        EXPECT_LE(measured.largest, (row.decoder == Coding::rg16 ? 1.031 : 1.015) * row.largest);
     }
 }
 
 TEST(NormalFormat, HalfIsWithinHalfAStepOfEachComponent) {
     // The error of a component below 1 is at most 2^-12. Three components tilt the normal by at most sqrt(3) times
     // that, 0.0242 degrees.
-    const Cost measured = cost(F::half, F::half, sphere, samples);
+    const Cost measured = cost(Coding::half, Coding::half, sphere, samples);
     EXPECT_LT(measured.largest, glm::degrees(std::sqrt(3) * 0x1p-12));
     EXPECT_GT(measured.largest, glm::degrees(0x1p-12)) << "or it keeps more bits than it should";
 }
@@ -116,20 +120,20 @@ TEST(NormalFormat, KeepsAFlatTexelOrTiltsItByTheErrorOfItsZeroCode) {
     for (const NormalFormatInfo& info : normal_formats()) {
         const double error = round_trip(info.format, flat);
         // In unorm, 0 is half-way between two codes: an error of 1/255 (or 1/65535) in x and in y.
-        if (info.format == F::unorm8 || info.format == F::unorm8_truncated || info.format == F::rg8)
+        if (info.format == Coding::unorm8 || info.format == Coding::unorm8_truncated || info.format == Coding::rg8)
             EXPECT_NEAR(error, glm::degrees(std::atan(std::sqrt(2) / 255)), 1e-5) << info.name;
-        else if (info.format == F::rg16)
+        else if (info.format == Coding::rg16)
             EXPECT_NEAR(error, glm::degrees(std::atan(std::sqrt(2) / 65535)), 1e-9) << info.name;
         else
             EXPECT_EQ(error, 0) << info.name;
     }
-    EXPECT_NEAR(round_trip(F::paired8, F::unorm8, flat), 0.3178, 5e-5) << "the mismatched pair";
+    EXPECT_NEAR(round_trip(Coding::paired8, Coding::unorm8, flat), 0.3178, 5e-5) << "the mismatched pair";
 }
 
 TEST(NormalFormat, KeepsTheAxesAndTheFoldsOfTheOctahedronWithEitherSignOfZero) {
     const double r = std::sqrt(0.5);
     for (const NormalFormatInfo& info : normal_formats()) {
-        const bool upper_only = info.format == F::rg8 || info.format == F::rg16;
+        const bool upper_only = info.format == Coding::rg8 || info.format == Coding::rg16;
         const bool octahedral = info.name.starts_with("oct");
         for (const double zero : {0.0, -0.0})
             for (const double one : {1.0, -1.0})
@@ -151,7 +155,7 @@ TEST(NormalFormat, RebuildsZAtTheHorizonWithoutNanWithTheExpectedError) {
     double largest = 0;
     for (double degrees = 0; degrees <= 10; degrees += 0.001) {
         const double t = glm::radians(degrees);
-        const double error = round_trip(F::rg8, {std::cos(t), 0, std::sin(t)});
+        const double error = round_trip(Coding::rg8, {std::cos(t), 0, std::sin(t)});
         ASSERT_TRUE(std::isfinite(error)) << degrees;
         largest = std::max(largest, error);
     }
@@ -160,10 +164,10 @@ TEST(NormalFormat, RebuildsZAtTheHorizonWithoutNanWithTheExpectedError) {
 }
 
 TEST(NormalFormat, MinusOneHasTwoCodesInSnorm) {
-    EXPECT_EQ(decode_normal(F::snorm8, {{0x80, 0, 0}}), glm::dvec3(-1, 0, 0));
-    EXPECT_EQ(decode_normal(F::snorm8, {{0x81, 0, 0}}), glm::dvec3(-1, 0, 0));
-    EXPECT_EQ(decode_normal(F::snorm8, {{0x80, 0x81, 0}}), decode_normal(F::snorm8, {{0x81, 0x80, 0}}));
-    EXPECT_EQ(encode_normal(F::snorm8, {-1, 0, 0}), (NormalCode{{0x81, 0, 0}}));
+    EXPECT_EQ(decode_normal(Coding::snorm8, {{0x80, 0, 0}}), glm::dvec3(-1, 0, 0));
+    EXPECT_EQ(decode_normal(Coding::snorm8, {{0x81, 0, 0}}), glm::dvec3(-1, 0, 0));
+    EXPECT_EQ(decode_normal(Coding::snorm8, {{0x80, 0x81, 0}}), decode_normal(Coding::snorm8, {{0x81, 0x80, 0}}));
+    EXPECT_EQ(encode_normal(Coding::snorm8, {-1, 0, 0}), (NormalCode{{0x81, 0, 0}}));
 }
 
 TEST(NormalFormat, EncodesADirectionOfAnyLength) {
@@ -172,7 +176,7 @@ TEST(NormalFormat, EncodesADirectionOfAnyLength) {
         for (const double length : {1e-300, 1e-20, 1e20, 1e300, 0x1p-1060})
             EXPECT_EQ(encode_normal(info.format, length * direction), encode_normal(info.format, direction))
                 << info.name << " " << length;
-    EXPECT_EQ(encode_normal(F::unorm8, {0, 0, 5e-324}), encode_normal(F::unorm8, {0, 0, 1})) << "a denormal";
+    EXPECT_EQ(encode_normal(Coding::unorm8, {0, 0, 5e-324}), encode_normal(Coding::unorm8, {0, 0, 1})) << "a denormal";
 }
 
 TEST(NormalFormat, EncodesAVectorWithoutDirectionAsStraightUp) {
@@ -181,9 +185,9 @@ TEST(NormalFormat, EncodesAVectorWithoutDirectionAsStraightUp) {
         for (const glm::dvec3 none : {glm::dvec3(0), glm::dvec3(-0.0), glm::dvec3(nan, 0, 1),
                                       glm::dvec3(0, infinity, 0), glm::dvec3(0, 0, -infinity)})
             EXPECT_EQ(encode_normal(info.format, none), encode_normal(info.format, {0, 0, 1})) << info.name;
-    EXPECT_EQ(decode_normal(F::snorm8, {}), glm::dvec3(0, 0, 1));
-    EXPECT_EQ(decode_normal(F::half, {{0x7e00, 0, 0}}), glm::dvec3(0, 0, 1)) << "a NaN";
-    EXPECT_EQ(decode_normal(F::half, {{0, 0, 0}}), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(decode_normal(Coding::snorm8, {}), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(decode_normal(Coding::half, {{0x7e00, 0, 0}}), glm::dvec3(0, 0, 1)) << "a NaN";
+    EXPECT_EQ(decode_normal(Coding::half, {{0, 0, 0}}), glm::dvec3(0, 0, 1));
 }
 
 TEST(NormalFormat, DecodesEveryCodeToAUnitVector) {
@@ -205,8 +209,8 @@ TEST(NormalFormat, RoundTripsOctahedralCodesExceptDuplicates) {
     for (int x = -126; x <= 126; ++x)
         for (int y = -126; y <= 126; ++y) {
             const NormalCode code{{uint16_t(x & 255), uint16_t(y & 255)}};
-            ASSERT_EQ(encode_normal(F::oct8, decode_normal(F::oct8, code)), code) << x << ", " << y;
-            ASSERT_EQ(encode_normal(F::oct8_precise, decode_normal(F::oct8, code)), code) << x << ", " << y;
+            ASSERT_EQ(encode_normal(Coding::oct8, decode_normal(Coding::oct8, code)), code) << x << ", " << y;
+            ASSERT_EQ(encode_normal(Coding::oct8_precise, decode_normal(Coding::oct8, code)), code) << x << ", " << y;
         }
 }
 
@@ -215,8 +219,8 @@ TEST(NormalFormat, ThePreciseEncoderIsNeverWorse) {
     std::normal_distribution<> bell;
     for (int i = 0; i < 20000; ++i) {
         const glm::dvec3 n = glm::normalize(glm::dvec3(bell(random), bell(random), bell(random)));
-        EXPECT_LE(round_trip(F::oct8_precise, n), round_trip(F::oct8, n) + 1e-12);
-        EXPECT_LE(round_trip(F::oct16_precise, n), round_trip(F::oct16, n) + 1e-12);
+        EXPECT_LE(round_trip(Coding::oct8_precise, n), round_trip(Coding::oct8, n) + 1e-12);
+        EXPECT_LE(round_trip(Coding::oct16_precise, n), round_trip(Coding::oct16, n) + 1e-12);
     }
 }
 
