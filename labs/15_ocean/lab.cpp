@@ -102,10 +102,10 @@ private:
     void draw_far_seas(const Frame& frame) {
         const std::vector<Tile> tiles = tile_grid(frame.size, 2, 2);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            const Frame near = frame_in(frame, tiles[i]);
-            Orbit orbit = near.camera.orbit();
+            const Frame part = frame_in(frame, tiles[i]);
+            Orbit orbit = part.camera.orbit();
             orbit.distance *= 6;
-            draw_part({.tile = tiles[i], .frame = seen_by(orbit, near), .rule = Settings::slopes, .far = int(i)});
+            draw_part({.tile = tiles[i], .frame = seen_by(orbit, part), .rule = Settings::slopes, .far = int(i)});
             labels_.caption(frame.size, tiles[i], 0, Settings::fars.names[i]);
         }
     }
