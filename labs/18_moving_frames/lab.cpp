@@ -4,8 +4,6 @@
 // weights have a derivative, too. Your tasks: shaders/18_moving_frames/task.glsl
 #include <fmt/format.h>
 
-#include <ranges>
-
 #include "bodies.h"
 #include "framework/core/height/scales.h"
 #include "framework/core/image/compare.h"
@@ -180,12 +178,13 @@ private:
         const double over = std::clamp(pose.over * body.radius, 0.001 * body.radius, 3 * body.spacing());
         program.set("u_body", glm::vec4(body.length, body.radius, body.joints, over));
         program.set("u_odd_sign", pose.opposite ? -1.0f : 1.0f);
-        const std::vector<Bone> bones = bones_of(body, pose);
-        const auto each = [&](auto part) { return bones | std::views::transform(part); };
-        set_each<glm::mat4>(program, "u_bones", each(&Bone::matrix));
-        set_each<glm::mat3>(program, "u_bone_normals", each(&Bone::normals));
-        set_each<glm::vec4>(program, "u_rotations", each([](const Bone& bone) { return bone.motion.real; }));
-        set_each<glm::vec4>(program, "u_duals", each([](const Bone& bone) { return bone.motion.dual; }));
+        for (size_t i = 0; const Bone& bone : bones_of(body, pose)) {
+            const std::string index = "[" + std::to_string(i++) + "]";
+            program.set(("u_bones" + index).c_str(), bone.matrix);
+            program.set(("u_bone_normals" + index).c_str(), glm::mat3(bone.normals));
+            program.set(("u_rotations" + index).c_str(), glm::vec4(bone.motion.real));
+            program.set(("u_duals" + index).c_str(), glm::vec4(bone.motion.dual));
+        }
     }
 
     Settings settings_;
