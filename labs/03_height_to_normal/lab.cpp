@@ -6,7 +6,6 @@
 
 #include <map>
 
-#include "differences.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
@@ -64,7 +63,7 @@ public:
         if (!maps.normals.contains(settings_.filter))
             maps.normals.emplace(settings_.filter, make_normals(settings_.filter, maps.heights));
         const Map& map = maps.normals.at(settings_.filter);
-        if (settings_.map.where == MapSettings::gpu && !is_written(map))
+        if (settings_.map.where == MapSettings::gpu && !map.is_written())
             throw Error("the map is not written yet: see the tasks of this lab");
         Image normals = map.read(3);
         for (float& value : normals.values) value = 0.5f + 0.5f * value;
@@ -128,7 +127,7 @@ private:
         return programs;
     }
 
-    Map make_heights() const {
+    Map make_heights() {
         Map heights(settings_.map.size(), GL_R32F);
         if (!settings_.has_colors()) {
             heights.fill(paint_.on(settings_.stored_heights()));
@@ -138,12 +137,12 @@ private:
         glUseProgram(program);
         const Texture picture = table([this] { return settings_.color_picture(); });
         program.set("s_picture", 0, picture);
-        heights.fill(nothing_);
+        heights.fill(window_);
         if (!paint_.is_empty()) heights.fill(paint_.on(heights.read(1)));
         return heights;
     }
 
-    Map make_normals(int filter, const Map& heights) const {
+    Map make_normals(int filter, const Map& heights) {
         Map map(settings_.map.size(), GL_RGBA32F);
         const bool by_cpu = settings_.map.where == MapSettings::cpu;
         if (!by_cpu) {
@@ -151,58 +150,30 @@ private:
         } else {
             if (!normals_by_cpu)
                 throw Error("the CPU's normals are not in this course: they are what task 3.1 asks for");
-            const glm::dvec2 texels = settings_.map.texels();
-            map.fill(normals_by_cpu(heights.read(1), {.texels_u = texels.x,
-                                                      .texels_v = texels.y,
+            map.fill(normals_by_cpu(heights.read(1), {.texels_u = settings_.map.texels().x,
+                                                      .texels_v = settings_.map.texels().y,
                                                       .filter = SlopeFilter(filter),
                                                       .wrap = settings_.map.wrap}));
         }
-        if (has_known_slope() && (by_cpu || is_written(map)))
+        if (has_known_slope() && (by_cpu || map.is_written()))
             map.error = summarize(error_image(map.read(3), exact_image(), ErrorMetric::angle));
         return map;
     }
 
-    void draw_normals(int filter, const Map& heights, const Map& map) const {
+    void draw_normals(int filter, const Map& heights, const Map& map) {
         const auto option = SlopeFilter(filter);
         const int size = settings_.map.size();
         const Program& program = normals_program(filter);
         glUseProgram(program);
-        const Texture differences = table([&] { return differences_of_lines(option, size, settings_.map.wrap); });
+        const Texture differences = table([&] { return slope_table(option, size, settings_.map.wrap); });
         program.set("u_differences", option == SlopeFilter::spline ? size : 4);
         program.set("u_beside", weight_beside(option));
         program.set("u_wrap", settings_.map.wrap);
         program.set("u_texels", glm::vec2(settings_.map.texels()));
         program.set("s_differences_u", 1, differences);
         program.set("s_differences_v", 1, differences);
-        program.set("s_heights", 0);
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, heights);
-        map.fill(nothing_);
-    }
-
-    /// Returns whether the student has written the normals: no texel is marked as unfinished.
-    static bool is_written(const Map& normals) {
-        const Image image = normals.read(4);
-        for (size_t i = 3; i < image.values.size(); i += 4)
-            if (image.values[i] < 0.5f) return false;
-        return true;
-    }
-
-    /// Returns the factor on a glossiness of 64 of each texel, by the mean normal of 3 x 3 texels. It is 1 where they
-    /// agree.
-    static Image gloss_of(const Image& normals) {
-        Image made(normals.width, normals.height, 1);
-        for (int y = 0; y < normals.height; ++y)
-            for (int x = 0; x < normals.width; ++x) {
-                glm::dvec3 sum(0);
-                for (int i = 0; i < 9; ++i) {
-                    const int u = x + i % 3 - 1 + normals.width, v = y + i / 3 - 1 + normals.height;
-                    const float* const n = normals.pixel(u % normals.width, v % normals.height);
-                    sum += glm::normalize(glm::dvec3(n[0], n[1], n[2])) / 9.0;
-                }
-                *made.pixel(x, y) = float(toksvig_factor(std::min(1.0, glm::length(sum)), 64));
-            }
-        return made;
+        program.set("s_heights", 0), heights.bind(0);
+        map.fill(window_);
     }
 
     /// Returns the occlusion or gloss map of the heights or normals, made when it is first asked for.
@@ -212,7 +183,7 @@ private:
         if (settings_.show == Settings::occlusion && !open_to_the_sky)
             throw Error("how open a place is to the sky is not in this course: it is what task 16.5 asks for");
         Image made = settings_.show == Settings::gloss
-                         ? gloss_of(maps.normals.at(filter).read(3))
+                         ? gloss_of(maps.normals.at(filter).read(3), 64)
                          : open_to_the_sky(maps.heights.read(1), settings_.map.texels().y);
         return maps.derived.emplace(key, table([made = std::move(made)] { return made; })).first->second;
     }
@@ -239,12 +210,8 @@ private:
             program.set("s_truth", 2, maps.truth);
         }
         if (show_derived) program.set("s_derived", 3, derived(maps, filter));
-        program.set("s_normals", 0);
-        program.set("s_heights", 1);
-        glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, maps.heights);
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, map);
+        program.set("s_heights", 1), maps.heights.bind(1);
+        program.set("s_normals", 0), map.bind(0);
         glBindVertexArray(quad_.layout());
         glDrawElements(GL_TRIANGLES, quad_.count(), GL_UNSIGNED_INT, nullptr);
     }
@@ -261,7 +228,7 @@ private:
     Programs normals_program_{"common/window.vert", "03_height_to_normal/normals.frag"};
     Programs wall_program_{"03_height_to_normal/wall.vert", "03_height_to_normal/wall.frag"};
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Labels labels_;
     PaintLayer paint_;
     /// By programs, knobs, and versions of the own picture and of the paint.

@@ -1,6 +1,7 @@
 #include "map.h"
 
 #include <algorithm>
+#include <array>
 
 namespace relief::heights {
 
@@ -14,11 +15,10 @@ Map::Map(int side, GLenum format) : side_(side), format_(format) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
 }
 
-void Map::fill(const GpuMesh& nothing) const {
+void Map::fill(WindowTriangle& window) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, side_, side_);
-    glBindVertexArray(nothing.layout());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    window.draw();
 }
 
 void Map::fill(const Image& image) const {
@@ -34,15 +34,24 @@ void Map::fill(const Image& image) const {
 Image Map::read(int channels) const {
     std::vector<float> upwards(size_t(side_) * side_ * channels);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glReadPixels(0, 0, side_, side_,
-                 channels == 1   ? GL_RED
-                 : channels == 3 ? GL_RGB
-                                 : GL_RGBA,
-                 GL_FLOAT, upwards.data());
+    constexpr std::array<GLenum, 5> formats = {0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    glReadPixels(0, 0, side_, side_, formats[size_t(channels)], GL_FLOAT, upwards.data());
     Image image(side_, side_, channels);
     const size_t row = size_t(side_) * channels;
     for (int y = 0; y < side_; ++y) std::copy_n(upwards.data() + row * (side_ - 1 - y), row, image.pixel(0, y));
     return image;
+}
+
+bool Map::is_written() const {
+    const Image image = read(4);
+    for (size_t i = 3; i < image.values.size(); i += 4)
+        if (image.values[i] < 0.5f) return false;
+    return true;
+}
+
+void Map::bind(int unit) const {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, texture_);
 }
 
 }  // namespace relief::heights

@@ -1,7 +1,7 @@
 // Lab 05: the tangent basis.
 //
-// Bricks on a coarse mesh, by the tangents of each method, with the angle to dP/du as a heat map, and frames as lines;
-// or by ways to complete T and N to a frame. Your tasks: labs/05_tangent_basis/task.cpp and
+// Bricks on a coarse mesh, by the tangents of each method, with the angle to dP/du as a heat map, and frames as
+// lines; or by ways to complete T and N to a frame. Your tasks: labs/05_tangent_basis/task.cpp and
 // shaders/05_tangent_basis/task.glsl
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 #include "framework/core/gl/vertex_stream.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/own_picture.h"
-#include "framework/core/kit/choices.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
@@ -24,7 +23,7 @@
 #include "truth.h"
 #include "vertex_tangents.h"
 
-namespace relief {
+namespace relief::basis {
 
 class TangentBasis final : public Lab {
 public:
@@ -38,7 +37,7 @@ public:
             } else {
                 const int method = method_of(i);
                 draw_surface(frame_in(frame, tiles[i]), tiles[i], method);
-                labels_.caption(frame.size, tiles[i], 0, methods[size_t(method)] + distance_from_file(method));
+                labels_.caption(frame.size, tiles[i], 0, methods.names[size_t(method)] + distance_from_file(method));
             }
         }
         if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
@@ -47,15 +46,15 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views,
+        knobs.choice("view", view_, views.names,
                      "the methods side by side, or one of them, or ways to complete T and N to a frame");
-        knobs.choice("method", method_, methods,
+        knobs.choice("method", method_, methods.names,
                      "for view = one: source of the tangent; file: of a glTF file, else as analytic");
         knobs.choice("frame", frame_, frame_kinds.names,
                      "for view = frames: B by w and a cross product, averaged as T, the three made orthogonal in the "
                      "shader, or a frame by the normal alone");
-        knobs.choice_or_file("shape", shape_, own_, shapes, "shape with the bricks");
-        knobs.choice("show", show_, shows,
+        knobs.choice_or_file("shape", shape_, own_, shapes.names, "shape with the bricks");
+        knobs.choice("show", show_, shows.names,
                      "the light, the angle to the exact dP/du (frames: of B to dP/dv), or half of each");
         knobs.toggle("lines", lines_,
                      "draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none");
@@ -71,8 +70,8 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (shape() == basis::Shape::urn || is_own() || collapsed_) return {};
-        const basis::CoarseMesh mesh = coarse();
+        if (shape() == Shape::urn || is_own() || collapsed_) return {};
+        const CoarseMesh mesh = coarse();
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
             return basis::truth(part, probe, mesh, shape(), shear_);
         });
@@ -80,32 +79,28 @@ public:
 
 private:
     enum View { every, one, frames };
+    static constexpr auto views = choices<View>({{every, "every"}, {one, "one"}, {frames, "frames"}});
     enum FrameKind { every_frame, by_w, averaged, orthogonal, normal_alone };
     enum Show { half_and_half, light, error_map };
-    /// The last is no method: B of each face, for a probe.
-    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic, of_file, solved_bitangent };
-    static constexpr std::array views = {"every", "one", "frames"};
     static constexpr auto frame_kinds = choices<FrameKind>({{every_frame, "every"},
                                                             {by_w, "w"},
                                                             {averaged, "averaged", "AVERAGED"},
                                                             {orthogonal, "orthogonal", "ORTHOGONAL"},
                                                             {normal_alone, "normal-alone", "NORMAL_ALONE"}});
-    static constexpr std::array methods = {"per-face",   "uniform",     "area",     "angle",
-                                           "mikktspace", "derivatives", "analytic", "file"};
-    static constexpr std::array shapes = {"quad", "box", "cylinder", "sphere", "torus", "mirrored", "urn"};
-    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr auto shows =
+        choices<Show>({{half_and_half, "half-and-half"}, {light, "light"}, {error_map, "error"}});
     /// The last is not of an own model, which may have tangents in its file instead.
     static constexpr std::array side_by_side = {per_face, uniform, area, angle, derivatives, analytic};
 
     static constexpr size_t most_lined_vertices = 1000;  ///< of an own model; more frames would hide it
 
-    basis::Shape shape() const { return basis::Shape(shape_); }
+    Shape shape() const { return Shape(shape_); }
     /// An own model has no formula: neither an analytic tangent nor an error.
-    bool is_own() const { return shape() == basis::Shape::own; }
+    bool is_own() const { return shape() == Shape::own; }
     bool shows_light_only() const { return show_ == light || is_own() || (view_ == frames && !has_frame_formula()); }
     /// B of the urn has no formula, and collapsed uv have no direction.
-    bool has_frame_formula() const { return !is_own() && shape() != basis::Shape::urn && !collapsed_; }
-    basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
+    bool has_frame_formula() const { return !is_own() && shape() != Shape::urn && !collapsed_; }
+    CoarseMesh coarse() const { return coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
     bool has_scale() const { return !shows_light_only(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int count = view_ == frames ? (frame_ == every_frame ? int(frame_kinds.size()) - 1 : 1)
@@ -124,48 +119,24 @@ private:
         if (!is_own() || !own_.has_tangents() || method == of_file || method == derivatives || collapsed_) return "";
         auto& distances = distances_.get({own_.version()}, [] { return std::map<int, std::string>(); });
         if (const auto found = distances.find(method); found != distances.end()) return found->second;
-        const Mesh &given = own_.mesh(), made = make(method);
-        double degrees = 0;
-        size_t mirrored = 0;
-        for (size_t i = 0; i < given.indices.size(); ++i) {
-            const glm::vec4 a = given.vertices[given.indices[i]].tangent, b = made.vertices[made.indices[i]].tangent;
-            degrees += glm::degrees(std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)));
-            mirrored += a.w * b.w < 0;
-        }
-        std::string text = fmt::format(": {} degrees from the file", rounded(degrees / double(given.indices.size())));
+        const auto [degrees, mirrored] = difference_of(own_.mesh(), make(method));
+        std::string text = fmt::format(": {} degrees from the file", rounded(degrees));
         if (mirrored > 0) text += fmt::format(", {} corners mirrored", mirrored);
         return distances.try_emplace(method, std::move(text)).first->second;
     }
 
-    Mesh make(int method, basis::Axis axis = basis::Axis::tangent) const {
+    Mesh plain_mesh() const {
         Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
         if (collapsed_)
             for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
-        switch (method) {
-            case per_face:
-                return basis::with_faces(mesh);
-            case solved_bitangent:
-                return basis::with_faces(mesh, basis::Axis::bitangent);
-            case uniform:
-                return basis::with_means(mesh, basis::Weight::uniform);
-            case area:
-                return basis::with_means(mesh, basis::Weight::area);
-            case angle:
-                return basis::with_means(mesh, basis::Weight::angle, axis);
-            case mikktspace:
-                if (!basis::with_mikktspace)
-                    throw Error("MikkTSpace is not in this course: it holds what tasks 5.1 to 5.3 ask for");
-                return basis::with_mikktspace(mesh);
-            case analytic:
-                if (is_own()) throw Error("method=analytic needs a shape with a formula: an own model has none");
-                return mesh;
-            case of_file:
-                if (is_own() && !own_.has_tangents())
-                    throw Error("method=file needs a glTF file with tangents and uv: export them, or choose another");
-                return mesh;
-            default:
-                return mesh;
-        }
+        return mesh;
+    }
+    Mesh make(int method, Axis axis = Axis::tangent) const {
+        if (is_own() && method == analytic)
+            throw Error("method=analytic needs a shape with a formula: an own model has none");
+        if (is_own() && method == of_file && !own_.has_tangents())
+            throw Error("method=file needs a glTF file with tangents and uv: export them, or choose another");
+        return with_tangents(plain_mesh(), Method(method), axis);
     }
     using MeshInputs = std::tuple<int, int, int, float, float, bool, int>;
     MeshInputs mesh_inputs() const { return {shape_, columns_, rows_, jitter_, shear_, collapsed_, own_.version()}; }
@@ -177,10 +148,8 @@ private:
     /// Gives the mesh of method angle a B at each vertex: the mean of the triangles' B with the weights of T.
     void attach_bitangents() {
         bitangents_.get({mesh_inputs()}, [&] {
-            const Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
             std::vector<glm::vec3> directions;
-            for (const Vertex& vertex : make(angle, basis::Axis::bitangent).vertices)
-                directions.emplace_back(vertex.tangent);
+            for (const Vertex& vertex : make(angle, Axis::bitangent).vertices) directions.emplace_back(vertex.tangent);
             VertexStream stream({{4, 3, GL_FLOAT, 0}});
             stream.fill(std::span<const glm::vec3>(directions));
             stream.attach(mesh_of(angle).layout());
@@ -208,29 +177,22 @@ private:
     void draw_surface(const Frame& frame, const Tile& tile, int method, const Define& kind = "",
                       const char* purpose = "") {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const char* exact = frame.probe                                         ? ""  // shows no error
-                            : shape() == basis::Shape::quad                     ? "QUAD"
-                            : shape() == basis::Shape::box                      ? "BOX"
-                            : shape() == basis::Shape::mirrored                 ? "MIRRORED"
-                            : view_ == frames && shape() == basis::Shape::torus ? "TORUS"
-                                                                                : "";
-        const bool is_round = shape() == basis::Shape::sphere || shape() == basis::Shape::mirrored;
         const bool shows_solved = method == per_face && frame.probe.name == "dp_dv";
         const GpuMesh& mesh = mesh_of(shows_solved ? solved_bitangent : method);
-        const char* source = method == derivatives ? "DERIVATIVES" : shows_solved ? "SOLVED_BITANGENT" : "";
+        const bool is_round = shape() == Shape::sphere || shape() == Shape::mirrored;
         const Program& surface =
-            surface_.with({frame.probe, source, exact, view_ == frames ? "FRAMES" : "",
+            surface_.with({frame.probe, shows_solved ? "SOLVED_BITANGENT" : methods.define(method),
+                           exact_define(frame.probe), view_ == frames ? "FRAMES" : "",
                            view_ == frames && is_round && !frame.probe ? "ROUND" : "", kind, purpose});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
         surface.set("u_light", lamp_at(light_yaw_, 3, 2.4f));
-        surface.set("u_repeat", shape() == basis::Shape::quad              ? glm::vec2(2)
-                                : shape() == basis::Shape::box || is_own() ? glm::vec2(1)
-                                                                           : glm::vec2(4, 2));
-        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (shows_light_only()       ? 2.0f
-                                                                            : show_ == half_and_half ? 0.5f
-                                                                                                     : -1.0f));
+        surface.set("u_repeat", shape() == Shape::quad              ? glm::vec2(2)
+                                : shape() == Shape::box || is_own() ? glm::vec2(1)
+                                                                    : glm::vec2(4, 2));
+        const float split = shows_light_only() ? 2.0f : show_ == half_and_half ? 0.5f : -1.0f;
+        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * split);
         surface.set("u_shear", shear_);
         surface.set("s_albedo", 0, albedo_);
         surface.set("s_normals", 1, normals_);
@@ -238,16 +200,28 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 
         const bool are_too_many = is_own() && own_.mesh().vertices.size() > most_lined_vertices;
-        if (!lines_ || are_too_many || method == derivatives || view_ == frames || frame.probe) return;
+        if (lines_ && !are_too_many && method != derivatives && view_ != frames && !frame.probe)
+            draw_lines(frame.camera, tile, mesh);
+    }
+
+    /// Returns the definition of the surface with which the shader compares. A probe shows no error.
+    Define exact_define(const Probe& probe) const {
+        if (probe || is_own() || (view_ != frames && shape() == Shape::torus)) return "";
+        return shapes.define(shape_);
+    }
+
+    /// Draws the frames at the vertices of a mesh as lines, three instances of a vertex.
+    void draw_lines(const Camera& camera, const Tile& tile, const GpuMesh& mesh) {
         const Program& lines = frames_.with();
         glUseProgram(lines);
-        lines.set("u_clip_from_world", frame.camera.clip_from_world());
+        lines.set("u_clip_from_world", camera.clip_from_world());
         lines.set("u_size", glm::vec2(tile.size));
         lines.set("u_length", line_length_);
-        lines.set("u_focal_pixels", tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
+        lines.set("u_focal_pixels", tile.size.y / (2 * std::tan(glm::radians(camera.orbit().field_of_view) / 2)));
         const auto read_attributes_every = [](GLuint instances) {
             for (const GLuint attribute : {0, 1, 2}) glVertexAttribDivisor(attribute, instances);
         };
+        glBindVertexArray(mesh.layout());
         read_attributes_every(3);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 3 * mesh.vertices());
         read_attributes_every(0);
@@ -260,10 +234,10 @@ private:
     Kept<std::map<int, GpuMesh>, MeshInputs> meshes_;  ///< by method
     Kept<VertexStream, MeshInputs> bitangents_;
     Kept<std::map<int, std::string>, int> distances_;  ///< by method
-    OwnMesh own_{basis::box_half * std::sqrt(3.0)};
+    OwnMesh own_{box_half * std::sqrt(3.0)};
     Labels labels_;
 
-    int view_ = every, method_ = angle, frame_ = every_frame, shape_ = int(basis::Shape::torus), show_ = half_and_half,
+    int view_ = every, method_ = angle, frame_ = every_frame, shape_ = int(Shape::torus), show_ = half_and_half,
         columns_ = 24, rows_ = 12;
     bool lines_ = true, collapsed_ = false;
     float line_length_ = 14, jitter_ = 0.7f, shear_ = 0, light_yaw_ = 35;
@@ -271,4 +245,4 @@ private:
 
 RELIEF_LAB(TangentBasis);
 
-}  // namespace relief
+}  // namespace relief::basis

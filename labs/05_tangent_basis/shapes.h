@@ -4,11 +4,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "framework/core/kit/choices.h"
 #include "framework/core/mesh/mesh.h"
 
 namespace relief::basis {
 
 enum class Shape { quad, box, cylinder, sphere, torus, mirrored, urn, own };
+/// Their names, and the definitions of the surfaces of which the shader knows dP/du; that of the torus is for frames.
+inline constexpr auto shapes = choices<Shape>({{Shape::quad, "quad", "QUAD"},
+                                               {Shape::box, "box", "BOX"},
+                                               {Shape::cylinder, "cylinder"},
+                                               {Shape::sphere, "sphere"},
+                                               {Shape::torus, "torus", "TORUS"},
+                                               {Shape::mirrored, "mirrored", "MIRRORED"},
+                                               {Shape::urn, "urn"}});
 constexpr double box_half = 0.62;  ///< half the side of the box, metres
 
 /// A place on a surface. The normal has unit length. `tangent` is dP/du, normalized, with the handedness in w.

@@ -1,6 +1,11 @@
 #include "vertex_tangents.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/base/error.h"
 #include "framework/core/mesh/frame.h"
+#include "truth.h"
 
 namespace relief::basis {
 namespace {
@@ -77,6 +82,39 @@ Mesh with_means(const Mesh& mesh, Weight weight, Axis axis) {
     }
     for (size_t i = 0; i < result.indices.size(); ++i)
         if (sides[i / 3] == 1) result.indices[i] = mirrored[result.indices[i]];
+    return result;
+}
+
+Mesh with_tangents(const Mesh& mesh, Method method, Axis axis) {
+    switch (method) {
+        case per_face:
+            return with_faces(mesh);
+        case solved_bitangent:
+            return with_faces(mesh, Axis::bitangent);
+        case uniform:
+            return with_means(mesh, Weight::uniform);
+        case area:
+            return with_means(mesh, Weight::area);
+        case angle:
+            return with_means(mesh, Weight::angle, axis);
+        case mikktspace:
+            if (!with_mikktspace)
+                throw Error("MikkTSpace is not in this course: it holds what tasks 5.1 to 5.3 ask for");
+            return with_mikktspace(mesh);
+        default:
+            return mesh;
+    }
+}
+
+TangentDifference difference_of(const Mesh& given, const Mesh& made) {
+    TangentDifference result;
+    double degrees = 0;
+    for (size_t i = 0; i < given.indices.size(); ++i) {
+        const glm::vec4 a = given.vertices[given.indices[i]].tangent, b = made.vertices[made.indices[i]].tangent;
+        degrees += glm::degrees(std::acos(std::clamp(glm::dot(glm::dvec3(a), glm::dvec3(b)), -1.0, 1.0)));
+        result.mirrored += a.w * b.w < 0;
+    }
+    result.mean_degrees = degrees / double(given.indices.size());
     return result;
 }
 

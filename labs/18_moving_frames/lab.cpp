@@ -12,6 +12,9 @@
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
+#include "framework/core/kit/uniforms.h"
+#include "framework/core/kit/view_axes.h"
+#include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
 
@@ -120,17 +123,9 @@ private:
     void draw_sky(const Frame& frame) {
         const Program& program = sky_.with();
         glUseProgram(program);
-        const double up = std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2),
-                     right = up * frame.size.x / frame.size.y;
-        const glm::dmat4 view = glm::transpose(frame.camera.view_from_world());
-        program.set("u_forward", -glm::dvec3(view[2]));
-        program.set("u_right", right * glm::dvec3(view[0]));
-        program.set("u_up", up * glm::dvec3(view[1]));
+        set_rays(program, frame);
         program.set("u_to_light", settings_.light.direction());
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glEnable(GL_DEPTH_TEST);
+        window_.draw();
     }
 
     void draw_first(const Frame& frame, const Scene& scene, const Purpose& purpose) {
@@ -148,8 +143,7 @@ private:
         program.set("u_relief", settings_.relief);
         program.set("u_to_light", settings_.light.direction());
         program.set("u_folds", settings_.folds);
-        for (size_t i = 0; i < scene.materials.size(); ++i)
-            program.set(fmt::format("u_materials[{}]", i).c_str(), glm::mat3(scene.materials[i]));
+        set_each<glm::mat3>(program, "u_materials", scene.materials);
         if (scene.body.is_serpent && !purpose.unrolled) glEnable(GL_CULL_FACE);  // a tube is open
         bodies.draw();
         glDisable(GL_CULL_FACE);
@@ -185,14 +179,11 @@ private:
         program.set("u_body", glm::vec4(body.length, body.radius, body.joints, over));
         program.set("u_odd_sign", pose.opposite ? -1.0f : 1.0f);
         for (size_t i = 0; const Bone& bone : bones_of(body, pose)) {
-            const auto set = [&](const char* name, const auto& value) {
-                program.set(fmt::format("{}[{}]", name, i).c_str(), value);
-            };
-            set("u_bones", bone.matrix);
-            set("u_bone_normals", glm::mat3(bone.normals));
-            set("u_rotations", glm::vec4(bone.motion.real));
-            set("u_duals", glm::vec4(bone.motion.dual));
-            ++i;
+            const std::string index = "[" + std::to_string(i++) + "]";
+            program.set(("u_bones" + index).c_str(), bone.matrix);
+            program.set(("u_bone_normals" + index).c_str(), glm::mat3(bone.normals));
+            program.set(("u_rotations" + index).c_str(), glm::vec4(bone.motion.real));
+            program.set(("u_duals" + index).c_str(), glm::vec4(bone.motion.dual));
         }
     }
 
@@ -203,7 +194,7 @@ private:
     Bodies first_, flock_;
     /// By way. Inputs: shape, pose, scale_y, triangles, renewals of the program.
     std::array<Kept<ErrorSummary, bool, Pose, float, Fineness, int>, 4> measured_;
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Labels labels_;
 };
 

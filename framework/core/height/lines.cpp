@@ -159,6 +159,32 @@ Image smoothed(const Image& image, int spacing, bool wrap, unsigned threads) {
 
 }  // namespace
 
+Image slope_table(SlopeFilter filter, int count, bool wrap) {
+    const bool is_spline = filter == SlopeFilter::spline;
+    Image table(is_spline ? count : 4, count, 3);
+    const auto set = [&](int column, int i, double plus, double minus, double weight) {
+        float* const texel = table.pixel(column, count - 1 - i);
+        texel[0] = float(plus), texel[1] = float(minus), texel[2] = float(weight);
+    };
+    if (!is_spline) {
+        for (int i = 0; i < count; ++i)
+            for (int column = 0; const auto& [plus, minus, weight] : slope_differences(filter, i, count, wrap))
+                set(column++, i, plus, minus, weight);
+        return table;
+    }
+    // Column k holds the slopes of an impulse: the line that is 1 at texel k and 0 elsewhere.
+    std::vector<float> impulse(size_t(count), 0.0f);
+    for (int k = 0; k < count; ++k) {
+        impulse[size_t(k)] = 1;
+        SplineLines lines(count, wrap);
+        for (int i = 0; i < count; ++i) lines.set(i, &impulse[size_t(i)], 1, 1);
+        lines.solve();
+        for (int i = 0; i < count; ++i) set(k, i, k, i, lines.slope(i, 0));
+        impulse[size_t(k)] = 0;
+    }
+    return table;
+}
+
 Image with_level_strengths(const Image& heights, const std::vector<double>& strengths, bool wrap, unsigned threads) {
     Image result = heights, finer = heights;
     // Levels wider than the map hold no more detail. Sides are at most 16384, so the shift cannot overflow.

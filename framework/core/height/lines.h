@@ -86,6 +86,11 @@ private:
     std::vector<double> factors_;
 };
 
+/// Returns the differences of a filter as a table that a shader can read: a row for each texel of a line of `count`
+/// texels, of which row 0 is the last. A column holds one difference: its two texels and its weight, which is 0 in
+/// unused columns. There are 4 columns; a spline has `count`, because its slope depends on the whole line.
+Image slope_table(SlopeFilter filter, int count, bool wrap);
+
 /// Returns the height map with its levels of detail scaled by `strengths`, see NormalOptions::level_strengths.
 Image with_level_strengths(const Image& heights, const std::vector<double>& strengths, bool wrap, unsigned threads);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "framework/core/image/color.h"
 
@@ -119,6 +120,21 @@ std::vector<Image> normal_mip_chain(const Image& normals) {
 
 double toksvig_factor(double length, double shininess) {
     return length > 0 ? length / (length + shininess * (1 - length)) : 0;
+}
+
+Image gloss_of(const Image& normals, double shininess) {
+    Image made(normals.width, normals.height, 1);
+    for (int y = 0; y < normals.height; ++y)
+        for (int x = 0; x < normals.width; ++x) {
+            glm::dvec3 sum(0);
+            for (int i = 0; i < 9; ++i) {
+                const int u = x + i % 3 - 1 + normals.width, v = y + i / 3 - 1 + normals.height;
+                const float* const n = normals.pixel(u % normals.width, v % normals.height);
+                sum += glm::normalize(glm::dvec3(n[0], n[1], n[2])) / 9.0;
+            }
+            *made.pixel(x, y) = float(toksvig_factor(std::min(1.0, glm::length(sum)), shininess));
+        }
+    return made;
 }
 
 }  // namespace relief

@@ -23,4 +23,8 @@ std::vector<Image> normal_mip_chain(const Image& normals);
 /// shininess: at 512, the step from 255 to 254 changes it from 1 to 0.33. A length of 0 gives 0.
 double toksvig_factor(double length, double shininess);
 
+/// Returns a gloss map: toksvig_factor() of the mean of the 3 x 3 normals around each texel, in one channel. It is 1
+/// where they agree. `normals` has three channels in [-1, 1], none of length 0, and tiles.
+Image gloss_of(const Image& normals, double shininess);
+
 }  // namespace relief

@@ -42,7 +42,7 @@ Image noise(int width, int height) {
     return image;
 }
 
-std::vector<Image> maps() {
+std::vector<Image> maps_with_peaks() {
     return {make_height_map(HeightMap::stones, 64), make_height_map(HeightMap::posts, 64), noise(32, 16), noise(1, 1),
             noise(2, 8)};
 }
@@ -53,7 +53,7 @@ glm::ivec2 first_of(int x, int y, int quadrant, int extent) {
 }
 
 TEST(HeightSkips, WindowClearancesAreTightUpperBounds) {
-    std::vector<Image> all = maps();
+    std::vector<Image> all = maps_with_peaks();
     all.push_back(make_height_map(HeightMap::stones, 512));  // has larger blocks, of which some are tested
     for (const Image& map : all) {
         const int step = map.width < 512 ? 1 : 61;
@@ -79,7 +79,7 @@ TEST(HeightSkips, WindowClearancesAreTightUpperBounds) {
 }
 
 TEST(HeightSkips, TheFiveByFiveMaximumCoversTheSurroundingCells) {
-    for (const Image& map : maps()) {
+    for (const Image& map : maps_with_peaks()) {
         const Cells cells(map);
         const Image around = highest_in_5x5(map);
         for (int y = 0; y < map.height; ++y)
@@ -89,7 +89,7 @@ TEST(HeightSkips, TheFiveByFiveMaximumCoversTheSurroundingCells) {
 }
 
 TEST(HeightSkips, ConesContainNoCell) {
-    for (const Image& map : maps()) {
+    for (const Image& map : maps_with_peaks()) {
         const Cells cells(map);
         const Image cones = cone_map(map);
         for (int y = 0; y < map.height; ++y)

@@ -163,5 +163,20 @@ TEST(Toksvig, FactorIsOneForEqualNormalsAndFallsWithShininess) {
     EXPECT_NEAR(toksvig_factor(126.0 / 127, 512), 0.2, 0.003) << "one step of 8 signed bits";
 }
 
+TEST(Gloss, FallsWhereANormalDiffersFromItsNeighboursAlsoAcrossTheBorder) {
+    Image normals(6, 5, 3);
+    for (size_t i = 2; i < normals.values.size(); i += 3) normals.values[i] = 1;
+    float* const corner = normals.pixel(0, 0);
+    corner[0] = 1, corner[2] = 0;
+    const Image gloss = gloss_of(normals, 64);
+    const double length = std::hypot(1, 8) / 9;  // of one normal along x and eight along z
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 6; ++x) {
+            const bool is_near = (x <= 1 || x == 5) && (y <= 1 || y == 4);
+            EXPECT_NEAR(*gloss.pixel(x, y), is_near ? length / (length + 64 * (1 - length)) : 1, 1e-6)
+                << x << ", " << y;
+        }
+}
+
 }  // namespace
 }  // namespace relief
