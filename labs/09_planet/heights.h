@@ -78,6 +78,21 @@ inline Crater crater(int seed, int i) {
     return {at / std::max(1e-3, glm::length(at)), 0.0016 + 0.014 * x * x * x};
 }
 
+using Craters = std::array<Crater, crater_count>;
+
+/// Returns the craters of a seed. A thread computes them once for the heights of one seed in a row.
+inline const Craters& craters_of(int seed) {
+    const auto made = [](int of) {
+        Craters craters;
+        for (int i = 0; i < crater_count; ++i) craters[size_t(i)] = crater(of, i);
+        return craters;
+    };
+    thread_local int known = seed;
+    thread_local Craters craters = made(seed);
+    if (known != seed) craters = made(seed), known = seed;
+    return craters;
+}
+
 /// Returns the elevation of the ground at the unit vector r, in radii of the planet. Negative below the sea.
 template <class Number>
 Number elevation(const Ground& ground, const Place<Number>& r) {
@@ -97,8 +112,7 @@ Number elevation(const Ground& ground, const Place<Number>& r) {
         ridges = ridges + (0.55 - sqrt(n * n * 5.0 + 0.034)) * strength;
     }
     Number sum = land * 0.05 + inland * (ridges + 0.35) * 0.045;
-    for (int i = 0; i < crater_count; ++i) {
-        const Crater c = crater(ground.seed, i);
+    for (const Crater& c : craters_of(ground.seed)) {
         // 0 in the middle, 1 on the rim.
         const Number d = (1.0 - (r[0] * c.middle.x + r[1] * c.middle.y + r[2] * c.middle.z)) * (1 / c.size);
         if (value_of(d) > 4) continue;  // contributes less than 1e-13

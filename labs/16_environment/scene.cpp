@@ -59,7 +59,7 @@ Scene make_plane(double tilt, bool has_board) {
     Scene scene;
     scene.quads = {{-(right + up) / 2.0, right, up, Material::marble}};
     if (has_board) scene.boxes = {{{-0.8, 1.2, -0.6}, {0.8, 1.25, 0.6}, Material::stone}};
-    scene.low = glm::min(glm::dvec3(-3), scene.low), scene.high = glm::dvec3(3);
+    scene.low = glm::dvec3(-3), scene.high = glm::dvec3(3);
     scene.reach = 0.9;
     return scene;
 }

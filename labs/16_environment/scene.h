@@ -41,8 +41,8 @@ struct Scene {
     std::vector<Column> columns;
     std::vector<Ball> balls;
     std::vector<Quad> quads;
-    glm::dvec3 low, high;  ///< bounding box of the scene
-    double reach;          ///< largest distance of an occluder, metres
+    glm::dvec3 low{0}, high{0};  ///< bounding box of the scene
+    double reach = 0;            ///< largest distance of an occluder, metres
 };
 
 enum class Place { court, groove, plane, board };

@@ -13,7 +13,9 @@
 #include "framework/core/base/text.h"
 #include "framework/core/context/context.h"
 #include "framework/core/gl/gl.h"
+#include "framework/course/check/calls.h"
 #include "framework/course/check/fingerprints.h"
+#include "framework/course/check/kept_labs.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 #include "framework/staff/grade/mistake_names.h"
@@ -197,6 +199,15 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
         EXPECT_TRUE(places == fingerprints.checks.end() || has_values(result.drawn, places->second) ||
                     !has_roundings_of_the_fingerprints())
             << shown(check::fingerprints_file(GetParam())) << ", '" << check.name << "', is " << renew;
+    }
+}
+
+// Otherwise a check's result would depend on the checks before it.
+TEST_P(Course, KeptLabsDrawTheBitsOfNewOnes) {
+    check::KeptLabs kept(GetParam());
+    for (const CheckInfo& check : manifest_.checks) {
+        const Image expected = draw_shot(*check::make_drawer(GetParam(), check.shot), check.shot);
+        EXPECT_EQ(draw_shot(kept.drawer_of(check.shot), check.shot).values, expected.values) << check.name;
     }
 }
 

@@ -64,12 +64,12 @@ std::array<glm::vec4, 4> draw_pixel(glm::ivec2 size, glm::ivec2 pixel, const std
 
 Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
     Image image(size.x, size.y, 4);
-    parallel_pieces(size_t(size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const glm::vec4 values(value(x, y));
-                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = values[c];
-            }
+    // Rows of sky cost little and rows of ground much, so no thread gets half of the picture.
+    parallel_each(size_t(size.y), 0, [&](size_t y) {
+        for (int x = 0; x < size.x; ++x) {
+            const glm::vec4 values(value(x, int(y)));
+            for (int c = 0; c < 4; ++c) image.pixel(x, int(y))[c] = values[c];
+        }
     });
     return image;
 }

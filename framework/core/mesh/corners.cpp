@@ -49,7 +49,7 @@ void check_indices(const Mesh& mesh) {
 
 Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
     const size_t count = mesh.vertices.size();
-    const size_t slots = std::bit_ceil(count + count / 2 + 1);
+    const size_t slots = std::bit_ceil(count + count / 4 + 1);
     // The upper half of the hash avoids reading vertices that only share the slot.
     struct Slot {
         uint32_t vertex, hash;
@@ -85,7 +85,7 @@ Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
 }
 
 CornerLists::CornerLists(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, unsigned threads)
-    : begins_(mesh.vertices.size() + 1), corners_(mesh.indices.size()) {
+    : begins_(mesh.vertices.size() + 2), corners_(mesh.indices.size()) {
     std::fill(begins_.begin(), begins_.end(), 0u);
     // Each thread reads all corners and keeps the ones at its own vertices.
     const auto vertices_in_pieces = [&](const auto& work) {
@@ -93,15 +93,14 @@ CornerLists::CornerLists(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, un
     };
     vertices_in_pieces([&](size_t begin, size_t end) {
         for (const uint32_t index : mesh.indices)
-            if (const uint32_t vertex = vertex_of[index]; vertex - begin < end - begin) ++begins_[vertex + 1];
+            if (const uint32_t vertex = vertex_of[index]; vertex - begin < end - begin) ++begins_[vertex + 2];
     });
-    for (size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-    Buffer<uint32_t> next(mesh.vertices.size());
-    std::copy_n(begins_.begin(), next.size(), next.begin());
+    for (size_t i = 2; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+    // Filling a list moves its begin to its end, where the next list begins.
     vertices_in_pieces([&](size_t begin, size_t end) {
         for (size_t i = 0; i < mesh.indices.size(); ++i)
             if (const uint32_t vertex = vertex_of[mesh.indices[i]]; vertex - begin < end - begin)
-                corners_[next[vertex]++] = uint32_t(i);
+                corners_[begins_[vertex + 1]++] = uint32_t(i);
     });
 }
 

@@ -16,8 +16,8 @@
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
 #include "framework/course/check/allowance.h"
-#include "framework/course/check/calls.h"
 #include "framework/course/check/fingerprints.h"
+#include "framework/course/check/kept_labs.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/relation.h"
 #include "framework/course/check/starter.h"
@@ -145,9 +145,9 @@ Judgement compare_pictures(const Image& drawn, const Image& expected) {
     return findings.judgement();
 }
 
-Image draw(const LabEntry& lab, const Shot& shot) {
+Image draw(KeptLabs& labs, const Shot& shot) {
     const TellMissingTasks untold(false);  // the check does not need the missing task
-    return render_shot(*make_drawer(lab, shot), shot);
+    return render_shot(labs.drawer_of(shot), shot);
 }
 
 bool has_failed(Outcome outcome) {
@@ -352,11 +352,16 @@ fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
 }
 
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
+    KeptLabs labs(lab);
+    return expectation(labs, check);
+}
+
+std::optional<Image> expectation(KeptLabs& labs, const CheckInfo& check) {
     if (check.against != "truth" && check.against != "solution") return {};
-    const fs::path file = expectation_file(lab, check);
+    const fs::path file = expectation_file(labs.entry(), check);
     if (fs::exists(file)) return read_image(file);
-    if (check.against == "solution") return draw(lab, check.shot);
-    return truth_of(*make_lab(lab, check.shot), check.shot);
+    if (check.against == "solution") return draw(labs, check.shot);
+    return truth_of(labs.drawer_of(check.shot), check.shot);
 }
 
 fs::path base_file(const LabEntry& lab, const CheckInfo& check) {
@@ -456,7 +461,7 @@ std::string task_at(const Manifest& manifest, const Place& place) {
     return {};
 }
 
-CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check,
                    const std::optional<Image>& expected, Rasteriser rasteriser = Rasteriser::exact) {
     CheckRun run{{&check}};
     CheckResult& result = run.result;
@@ -473,22 +478,23 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
         } else {
             run.was_tried = true;
             const TellMissingTasks untold(false);
-            run.drawn = draw_shot(*make_drawer(lab, check.shot), check.shot);
+            run.drawn = draw_shot(labs.drawer_of(check.shot), check.shot);
             refuse_unusable(run.drawn, check.shot);
             result.drawn = run.drawn;
-            if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
+            if (!expected) result.expected = draw(labs, manifest.check(check.against).shot);
             const std::string& probe = check.shot.probe.name;
             const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
             const Image judged = with_allowance(rasteriser, check, metric, result.drawn, result.expected);
             said = judge(manifest, check, judged, result.expected);
             if (said.outcome == Outcome::wrong)
                 if (auto relation = relation_of(manifest, check, judged, result.expected,
-                                                [&] { return base_of(lab, manifest, check); })) {
+                                                [&] { return base_of(labs.entry(), manifest, check); })) {
                     said.relation = relation->sentence;
                     result.related = std::move(relation->predicted);
                 }
         }
     } catch (const Error& error) {
+        labs.forget();
         said = {Outcome::broken, error.what(), task_at(manifest, error.place())};
         result.details = error.more_details();
     }
@@ -521,7 +527,8 @@ Fingerprints known_mistakes(const LabEntry& lab, const Manifest& manifest) {
 
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected) {
-    return try_check(lab, manifest, check, expected).result;
+    KeptLabs labs(lab);
+    return try_check(labs, manifest, check, expected).result;
 }
 
 struct LabChecker::Memory {
@@ -548,11 +555,16 @@ LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, const std:
 LabChecker::~LabChecker() = default;
 
 CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) {
+    KeptLabs labs(memory_->lab);
+    return run(check, expected, labs);
+}
+
+CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected, KeptLabs& labs) {
     const ComparableDrawing comparable;  // the window draws its own pictures with all that the GPU has
     auto& [lab, manifest, others, fingerprints, rasteriser, said, drawn] = *memory_;
     const std::string& file = manifest.task(manifest.checks[check].task).file;
     const std::string beyond = what_reaches_beyond(file, others);
-    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected, rasteriser)
+    CheckRun run = beyond.empty() ? try_check(labs, manifest, manifest.checks[check], expected, rasteriser)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
     said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at, run.result.relation};
     drawn.erase(check);
@@ -605,6 +617,7 @@ Manifest manifest_to_check(const LabEntry& lab) {
 std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected,
                                   const std::function<void(const CheckInfo& check)>& begins) {
     LabChecker checker(lab, manifest);
+    KeptLabs labs(lab);
     std::vector<TaskResult> results;
     Progress progress(int(manifest.checks.size()));
     for (const TaskInfo& task : manifest.tasks) {
@@ -616,12 +629,13 @@ std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest,
             if (begins) begins(check);
             std::optional<Image> other;
             try {
-                other = expected ? expected(check) : expectation(lab, check);
+                other = expected ? expected(check) : expectation(labs, check);
             } catch (const Error&) {
+                labs.forget();
                 // The staff's task files are the solution. If they cannot be drawn, the check says why.
                 if (check.against != "solution") throw;
             }
-            result.checks.push_back(checker.run(i, other));
+            result.checks.push_back(checker.run(i, other, labs));
         }
         if (result.checks.empty())
             throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab.folder, task.id));

@@ -15,6 +15,8 @@
 
 namespace relief::check {
 
+class KeptLabs;
+
 /// The outcome of a check, from best to worst; a task shows its worst. `waiting`: a task that the check depends on is
 /// not written or wrong, so the check says nothing about its own task yet. `unfinished`: the task still calls
 /// unfinished(). `broken`: the task does not compile, throws, or draws nothing. The last four occur only in a separate
@@ -99,6 +101,7 @@ std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judge
 /// there; else the exact values, or the picture that this course's files draw. Empty for a check that compares with
 /// another check. Drawing needs a current context.
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
+std::optional<Image> expectation(KeptLabs& labs, const CheckInfo& check);
 /// Returns the path of the file in `expected`; it may not exist.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 
@@ -144,6 +147,8 @@ public:
 
     /// Like run_check(), but the outcome is `broken` if the task's shader reaches_beyond() its functions.
     CheckResult run(size_t check, const std::optional<Image>& expected);
+    /// Draws with kept labs, which no file may have changed since they were made.
+    CheckResult run(size_t check, const std::optional<Image>& expected, KeptLabs& labs);
     /// Returns advice from the last run of each check. A check that never ran counts as broken.
     Advice advice() const;
 

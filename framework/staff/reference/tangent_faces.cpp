@@ -218,7 +218,7 @@ void read_normals(Batch& b, int i, const Mesh& mesh, const UnitNormals& normals,
     }
 }
 
-TangentFace written(const Batch& b, int i) {
+TangentFace face_of(const Batch& b, int i) {
     TangentFace face{};
     if (b.finite.one[i] == 0) {
         face.why = TangentFallback::not_finite, face.in_no_group = true;
@@ -226,7 +226,6 @@ TangentFace written(const Batch& b, int i) {
     }
     face.in_no_group = b.separate.one[i] == 0;
     face.handedness = int8_t(b.handedness.one[i]);
-    for (int k = 0; k < 3; ++k) face.pull[k] = {b.pull[k][0][i], b.pull[k][1][i], b.pull[k][2][i]};
     if (b.along[0].one[i] == 0 && b.along[1].one[i] == 0 && b.along[2].one[i] == 0)
         face.why =
             face.in_no_group || b.twice_area.one[i] == 0 ? TangentFallback::zero_area : TangentFallback::degenerate_uv;
@@ -268,17 +267,27 @@ glm::dvec3 UnitNormals::at(uint32_t vertex) const {
     return std::abs(squared - 1) < 1e-6 ? made_unit(n) : n * (1 / std::sqrt(squared));
 }
 
-void tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,
-                   size_t end, Buffer<TangentFace>& faces) {
+bool tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,
+                   size_t end, std::vector<Contribution>& corners) {
     Batch b{};
+    bool some_undecided = false;
     for (size_t first = begin; first < end; first += batch) {
         const int count = int(std::min(end - first, size_t(batch)));
         for (int i = 0; i < count; ++i) read(b, i, mesh, &mesh.indices[3 * (first + size_t(i))]);
         if (method == TangentMethod::mikktspace)
             for (int i = 0; i < count; ++i) read_normals(b, i, mesh, normals, &mesh.indices[3 * (first + size_t(i))]);
         work_best(b, method, area_unit);
-        for (int i = 0; i < count; ++i) faces[first + size_t(i)] = written(b, i);
+        for (int i = 0; i < count; ++i) {
+            const TangentFace face = face_of(b, i);
+            some_undecided |= face.handedness == 0 && !face.in_no_group;
+            for (int k = 0; k < 3; ++k) {
+                Contribution& corner = corners[3 * (first + size_t(i)) + size_t(k)];
+                corner = {b.pull[k][0][i], b.pull[k][1][i], b.pull[k][2][i], std::bit_cast<float>(face)};
+                if (face.why == TangentFallback::not_finite) corner.x = corner.y = corner.z = 0;
+            }
+        }
     }
+    return some_undecided;
 }
 
 void angles_of(const double* y, const double* x, float* angles, int count) { find_angles(y, x, angles, count); }

@@ -1,6 +1,7 @@
 // The contribution of each triangle to the tangents at its corners.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <unordered_map>
 
@@ -35,19 +36,27 @@ private:
     std::unordered_map<uint32_t, glm::dvec3> repaired_;  // by welded vertex
 };
 
+/// What a triangle's corners have in common.
 struct TangentFace {
-    /// For each corner, the direction of dP/du times the corner's weight. For `mikktspace` it lies in the tangent
-    /// plane. Zero if the triangle has none.
-    glm::vec3 pull[3];
     int8_t handedness;    ///< sign of the area in uv; 0 if that is 0 or if in_no_group
     TangentFallback why;  ///< why it has no dP/du: bad uv, no area, not finite
     bool in_no_group;     ///< two corners coincide, or one is not finite: it connects no triangles
+    uint8_t unused;       ///< 0
 };
 
-/// Fills faces[begin] to faces[end - 1] in batches that fit in the nearest cache, with the widest vectors of the
-/// processor. Every vector width gives the same bits. For `area` the weights are in units of `area_unit`.
-void tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,
-                   size_t end, Buffer<TangentFace>& faces);
+/// A triangle's contribution to the tangent at one of its corners. It is kept in the corner's place in the result,
+/// until the vertex is solved: triangles need no memory of their own. xyz is the direction of dP/du times the corner's
+/// weight. For `mikktspace` it lies in the tangent plane. It is zero if the triangle has no dP/du. w has the bits of
+/// the TangentFace.
+using Contribution = glm::vec4;
+
+inline TangentFace face_of(const Contribution& corner) { return std::bit_cast<TangentFace>(corner.w); }
+
+/// Fills the three corners of each triangle from `begin` to `end` - 1, in batches that fit in the nearest cache, with
+/// the widest vectors of the processor. Every vector width gives the same bits. For `area` the weights are in units of
+/// `area_unit`. Returns whether a triangle of a group has no handedness.
+bool tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,
+                   size_t end, std::vector<Contribution>& corners);
 
 /// Sets angles[i] = atan2(y[i], x[i]) in [0, pi], for y >= 0; 0 if both are 0. The error is at most 5e-7. Vectorised:
 /// one call of the library's atan2 per angle would cost more than the rest of a triangle.

@@ -29,6 +29,17 @@ void for_each_shared_edge(Corners corners, std::vector<uint64_t>& scratch, Visit
     }
 }
 
+/// The other ends of a corner's two edges.
+struct Edges {
+    uint32_t next, previous;
+};
+
+Edges edges_at(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, uint32_t corner) {
+    const uint32_t k = corner % 3;
+    return {vertex_of[mesh.indices[k == 2 ? corner - 2 : corner + 1]],
+            vertex_of[mesh.indices[k == 0 ? corner + 2 : corner - 1]]};
+}
+
 uint32_t root_of(Corners corners, uint32_t i) {
     while (corners[i].group != i) i = corners[i].group = corners[corners[i].group].group;
     return i;
@@ -36,23 +47,25 @@ uint32_t root_of(Corners corners, uint32_t i) {
 
 }  // namespace
 
-void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const Buffer<TangentFace>& faces,
+void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const std::vector<Contribution>& contributions,
                     std::span<const uint32_t> list, std::vector<CornerAtVertex>& corners) {
     corners.clear();
     for (const uint32_t corner : list) {
-        const uint32_t first = corner / 3 * 3, k = corner % 3;
-        const auto at = [&](uint32_t i) { return vertex_of[mesh.indices[first + i]]; };
-        corners.push_back(
-            {&faces[corner / 3], at(k == 2 ? 0 : k + 1), at(k == 0 ? 2 : k - 1), uint32_t(corners.size())});
+        const Edges edges = edges_at(mesh, vertex_of, corner);
+        corners.push_back({glm::vec3(contributions[corner]), face_of(contributions[corner]), edges.next, edges.previous,
+                           uint32_t(corners.size())});
     }
 }
 
-bool is_closed_fan(std::span<const CornerAtVertex> corners) {
-    const size_t count = corners.size();
-    if (count > 16) return false;
+bool is_closed_fan(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, std::span<const uint32_t> list) {
+    constexpr size_t most = 16;
+    const size_t count = list.size();
+    if (count > most) return false;
+    Edges edges[most];
+    for (size_t i = 0; i < count; ++i) edges[i] = edges_at(mesh, vertex_of, list[i]);
     for (size_t at = 0, seen = 1; seen <= count; ++seen) {
-        const uint32_t edge = corners[at].next;
-        for (at = 0; at < count && corners[at].previous != edge;) ++at;
+        const uint32_t edge = edges[at].next;
+        for (at = 0; at < count && edges[at].previous != edge;) ++at;
         if (at == count) return false;
         if (at == 0) return seen == count;
     }
@@ -61,8 +74,8 @@ bool is_closed_fan(std::span<const CornerAtVertex> corners) {
 
 void group_corners(Corners corners, std::vector<uint64_t>& scratch) {
     for_each_shared_edge(corners, scratch, [&](size_t i, size_t j) {
-        const int8_t handedness = corners[i].face->handedness;
-        if (handedness == 0 || handedness != corners[j].face->handedness) return;
+        const int8_t handedness = corners[i].face.handedness;
+        if (handedness == 0 || handedness != corners[j].face.handedness) return;
         const uint32_t a = root_of(corners, uint32_t(i)), b = root_of(corners, uint32_t(j));
         corners[std::max(a, b)].group = std::min(a, b);
     });
@@ -70,9 +83,15 @@ void group_corners(Corners corners, std::vector<uint64_t>& scratch) {
 }
 
 void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const CornerLists& lists,
-                        Buffer<TangentFace>& faces) {
-    std::vector<bool> undecided(faces.size());
-    for (size_t i = 0; i < faces.size(); ++i) undecided[i] = faces[i].handedness == 0 && !faces[i].in_no_group;
+                        std::vector<Contribution>& contributions) {
+    const size_t count = contributions.size() / 3;
+    std::vector<bool> undecided(count);
+    std::vector<int8_t> handedness_of(count);
+    for (size_t i = 0; i < count; ++i) {
+        const TangentFace face = face_of(contributions[3 * i]);
+        handedness_of[i] = face.handedness;
+        undecided[i] = face.handedness == 0 && !face.in_no_group;
+    }
 
     // Pairs of corners that share an edge at a vertex, in both orders. Only vertices with triangles of both kinds can
     // pass on a handedness.
@@ -85,11 +104,10 @@ void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, con
         if (!undecided[i / 3] || seen[vertex]) continue;
         seen[vertex] = true;
         const std::span<const uint32_t> list = lists.at(vertex);
-        if (std::none_of(list.begin(), list.end(), [&](uint32_t at) { return faces[at / 3].handedness != 0; }))
-            continue;
-        gather_corners(mesh, vertex_of, faces, list, corners);
+        if (std::none_of(list.begin(), list.end(), [&](uint32_t at) { return handedness_of[at / 3] != 0; })) continue;
+        gather_corners(mesh, vertex_of, contributions, list, corners);
         for_each_shared_edge(Corners(corners), scratch, [&](size_t a, size_t b) {
-            if (corners[a].face->in_no_group || corners[b].face->in_no_group) return;
+            if (corners[a].face.in_no_group || corners[b].face.in_no_group) return;
             links.emplace_back(list[a], list[b]), links.emplace_back(list[b], list[a]);
         });
     }
@@ -99,20 +117,26 @@ void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, con
     std::vector<uint32_t> ahead;
     for (const auto& link : links) {
         if (undecided[link.first / 3] || grouped[link.first]) continue;
-        const int8_t handedness = faces[link.first / 3].handedness;
+        const int8_t handedness = handedness_of[link.first / 3];
         grouped[link.first] = true;
         for (ahead = {link.first}; !ahead.empty();) {
             const uint32_t from = ahead.back();
             ahead.pop_back();
             for (auto at = std::lower_bound(links.begin(), links.end(), std::pair(from, 0u));
                  at != links.end() && at->first == from; ++at) {
-                int8_t& theirs = faces[at->second / 3].handedness;
+                int8_t& theirs = handedness_of[at->second / 3];
                 if (theirs == 0) theirs = handedness;
                 if (theirs != handedness || grouped[at->second]) continue;
                 grouped[at->second] = true;
                 ahead.push_back(at->second);
             }
         }
+    }
+    for (size_t i = 0; i < contributions.size(); ++i) {
+        if (!undecided[i / 3]) continue;
+        TangentFace face = face_of(contributions[i]);
+        face.handedness = handedness_of[i / 3];
+        contributions[i].w = std::bit_cast<float>(face);
     }
 }
 

@@ -21,7 +21,7 @@ namespace {
 /// projection is off by tens of degrees.
 constexpr double smallest_sine = 2e-7;
 
-/// All data that is computed before the loop over vertices.
+/// All data that is computed before the loop over vertices. `result` holds the triangles' contributions until then.
 struct Solver {
     const Mesh& mesh;
     TangentMethod method;
@@ -29,24 +29,23 @@ struct Solver {
     Buffer<uint32_t> vertex_of;
     CornerLists lists;
     UnitNormals normals;
-    Buffer<TangentFace> faces;
+    std::vector<glm::vec4>& result;
 
-    Solver(const Mesh& all, TangentMethod how, unsigned thread_count)
+    Solver(const Mesh& all, TangentMethod how, std::vector<glm::vec4>& tangents, unsigned thread_count)
         : mesh(all),
           method(how),
           threads(thread_count),
           vertex_of(welded_vertices(all)),
           lists(all, vertex_of, thread_count),
           normals(all, vertex_of, lists),
-          faces(all.indices.size() / 3) {
+          result(tangents) {
+        result.resize(mesh.indices.size());
         const double area_unit = method == TangentMethod::area ? largest_area() : 1;
         std::atomic<bool> some_undecided = false;  // some triangle has no handedness yet
-        parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
-            tangent_faces(mesh, normals, method, area_unit, begin, end, faces);
-            for (size_t i = begin; i < end; ++i)
-                if (faces[i].handedness == 0 && !faces[i].in_no_group) some_undecided = true;
+        parallel_pieces(mesh.indices.size() / 3, 1 << 12, threads, [&](size_t begin, size_t end) {
+            if (tangent_faces(mesh, normals, method, area_unit, begin, end, result)) some_undecided = true;
         });
-        if (some_undecided) take_on_handedness(mesh, vertex_of, lists, faces);
+        if (some_undecided) take_on_handedness(mesh, vertex_of, lists, result);
     }
 
 private:
@@ -67,7 +66,7 @@ private:
 /// Computes the tangents of all corners at one vertex. One instance per thread, reused from vertex to vertex.
 class VertexTangents {
 public:
-    VertexTangents(const Solver& solver, std::vector<glm::vec4>& result) : solver_(solver), result_(result) {}
+    explicit VertexTangents(const Solver& solver) : solver_(solver), result_(solver.result) {}
 
     void write(uint32_t vertex) {
         const std::span<const uint32_t> list = solver_.lists.at(vertex);
@@ -79,8 +78,7 @@ public:
 
         gather(list);
         sums_.assign(list.size(), glm::dvec3(0));
-        for (size_t i = 0; i < list.size(); ++i)
-            sums_[corners_[i].group] += glm::dvec3(corners_[i].face->pull[list[i] % 3]);
+        for (size_t i = 0; i < list.size(); ++i) sums_[corners_[i].group] += glm::dvec3(corners_[i].pull);
         for (size_t i = 0; i < list.size(); ++i)
             if (corners_[i].group == i) sums_[i] = tangent_of(sums_[i]);
         const size_t lender = first_with_tangent();
@@ -96,17 +94,17 @@ private:
     /// returns false without any effect.
     bool write_plain(std::span<const uint32_t> list) {
         if (solver_.method == TangentMethod::per_face) return false;
-        const int8_t handedness = solver_.faces[list[0] / 3].handedness;
+        const int8_t handedness = face_of(result_[list[0]]).handedness;
         glm::dvec3 sum(0);
-        for (const uint32_t corner : list) {
-            const TangentFace& face = solver_.faces[corner / 3];
+        for (const uint32_t at : list) {
+            const TangentFace face = face_of(result_[at]);
             if (face.handedness != handedness || face.why != TangentFallback::none) return false;
-            sum += glm::dvec3(face.pull[corner % 3]);
+            sum += glm::dvec3(result_[at]);
         }
         if (solver_.method == TangentMethod::mikktspace && !are_connected(list)) return false;
         const glm::dvec3 tangent = tangent_of(sum);
         if (handedness == 0 || tangent == glm::dvec3(0)) return false;
-        for (const uint32_t corner : list) result_[corner] = glm::vec4(tangent, side(handedness));
+        for (const uint32_t at : list) result_[at] = glm::vec4(tangent, side(handedness));
         return true;
     }
 
@@ -114,13 +112,12 @@ private:
     /// tangent.
     glm::vec4 tangent_of_corner(size_t i, size_t lender) {
         const CornerAtVertex& corner = corners_[i];
-        const bool has_group = sums_[corner.group] != glm::dvec3(0),
-                   has_own = corner.face->why == TangentFallback::none;
+        const bool has_group = sums_[corner.group] != glm::dvec3(0), has_own = corner.face.why == TangentFallback::none;
         const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
         // All corners of a triangle have the same handedness. Only an invisible triangle may inherit it per corner.
-        const bool is_invisible = corner.face->in_no_group && corner.face->why != TangentFallback::not_finite;
+        const bool is_invisible = corner.face.in_no_group && corner.face.why != TangentFallback::not_finite;
         const bool has_side = !is_invisible || !can_inherit;
-        const float own = side((has_side ? corner : corners_[lender]).face->handedness);
+        const float own = side((has_side ? corner : corners_[lender]).face.handedness);
         if (bad_normal_)
             ++report.fell_back[size_t(TangentFallback::bad_normal)];
         else if (!has_group || !has_own)
@@ -133,21 +130,21 @@ private:
 
     /// Returns whether the triangles, all of one handedness, are one group.
     bool are_connected(std::span<const uint32_t> list) {
-        gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
-        if (is_closed_fan(corners_)) return true;
+        if (is_closed_fan(solver_.mesh, solver_.vertex_of, list)) return true;
+        gather_corners(solver_.mesh, solver_.vertex_of, result_, list, corners_);
         group_corners(corners_, scratch_);
         return std::all_of(corners_.begin(), corners_.end(),
                            [](const CornerAtVertex& corner) { return corner.group == 0; });
     }
 
     void gather(std::span<const uint32_t> list) {
-        gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
+        gather_corners(solver_.mesh, solver_.vertex_of, result_, list, corners_);
         if (solver_.method == TangentMethod::mikktspace) return group_corners(corners_, scratch_);
         if (solver_.method == TangentMethod::per_face) return;
         // One group for each handedness; a corner without handedness waits for a lender.
         uint32_t first[2] = {UINT32_MAX, UINT32_MAX};
         for (uint32_t i = 0; i < corners_.size(); ++i) {
-            const int8_t handedness = corners_[i].face->handedness;
+            const int8_t handedness = corners_[i].face.handedness;
             if (handedness == 0) continue;
             uint32_t& group = first[handedness < 0];
             if (group == UINT32_MAX) group = i;
@@ -176,7 +173,7 @@ private:
     }
 
     TangentFallback reason(size_t i) const {
-        const TangentFallback why = corners_[i].face->why;
+        const TangentFallback why = corners_[i].face.why;
         return why == TangentFallback::none ? TangentFallback::parallel_to_normal : why;
     }
 
@@ -189,13 +186,20 @@ private:
     std::vector<uint64_t> scratch_;
 };
 
-TangentReport solve(const Solver& solver, std::vector<glm::vec4>& result) {
+TangentReport solve(const Solver& solver) {
+    constexpr size_t ahead = 4;  // vertices whose corners are prefetched
     TangentReport report;
     std::mutex mutex;
     parallel_pieces(solver.mesh.vertices.size(), 1 << 12, solver.threads, [&](size_t begin, size_t end) {
-        VertexTangents at(solver, result);
-        for (size_t i = begin; i < end; ++i)
+        VertexTangents at(solver);
+        for (size_t i = begin; i < end; ++i) {
+            if (i + ahead < end)
+                for (const uint32_t corner : solver.lists.at(i + ahead)) {
+                    __builtin_prefetch(&solver.result[corner]);
+                    __builtin_prefetch(&solver.mesh.indices[corner]);
+                }
             if (solver.vertex_of[i] == i) at.write(uint32_t(i));
+        }
         const std::lock_guard lock(mutex);
         report.corners += at.report.corners, report.inherited += at.report.inherited;
         for (size_t why = 0; why < std::size(report.fell_back); ++why)
@@ -240,8 +244,7 @@ std::string TangentReport::text() const {
 void corner_tangents(const Mesh& mesh, TangentMethod method, std::vector<glm::vec4>& result, TangentReport* report,
                      unsigned threads) {
     check_indices(mesh);
-    result.resize(mesh.indices.size());
-    const TangentReport made = solve(Solver(mesh, method, threads), result);
+    const TangentReport made = solve(Solver(mesh, method, result, threads));
     if (report) *report = made;
 }
 
@@ -254,11 +257,11 @@ std::vector<glm::vec4> corner_tangents(const Mesh& mesh, TangentMethod method, T
 
 Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report, unsigned threads) {
     check_indices(mesh);
-    std::vector<glm::vec4> tangents(mesh.indices.size());
+    std::vector<glm::vec4> tangents;
     Mesh result = mesh;
     {
-        const Solver solver(mesh, method, threads);
-        const TangentReport made = solve(solver, tangents);
+        const Solver solver(mesh, method, tangents, threads);
+        const TangentReport made = solve(solver);
         if (report) *report = made;
         for (uint32_t i = 0; i < result.vertices.size(); ++i) {
             glm::vec3& normal = result.vertices[i].normal;
