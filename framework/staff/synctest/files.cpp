@@ -74,7 +74,7 @@ std::string synctest_obj(const Mesh& mesh, const std::string& material_file) {
     return text;
 }
 
-GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const std::string& map_file) {
+GltfFiles gltf_files(const Mesh& mesh, const std::string& name, const std::string& map_file) {
     using nlohmann::json;
     GltfFiles files;
     json views = json::array(), accessors = json::array();
@@ -94,8 +94,11 @@ GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const 
         };
     };
     add("VEC3", count, floats, vertices, each([](const Vertex& vertex) { return vertex.position; }));
-    accessors.back()["min"] = {-0.5, -0.5, -0.5};
-    accessors.back()["max"] = {0.5, 0.5, 0.5};
+    glm::vec3 low = mesh.vertices.at(0).position, high = low;
+    for (const Vertex& vertex : mesh.vertices)
+        low = glm::min(low, vertex.position), high = glm::max(high, vertex.position);
+    accessors.back()["min"] = {low.x, low.y, low.z};
+    accessors.back()["max"] = {high.x, high.y, high.z};
     add("VEC3", count, floats, vertices, each([](const Vertex& vertex) { return vertex.normal; }));
     add("VEC4", count, floats, vertices, each([](const Vertex& vertex) { return vertex.tangent; }));
     // glTF's v grows down; its tangents keep their sign.
@@ -109,16 +112,16 @@ GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const 
                            {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.5}}},
                            {"normalTexture", {{"index", 0}}}};
     const json primitive = {{"attributes", attributes}, {"indices", 4}, {"material", 0}};
-    const json all = {{"asset", {{"version", "2.0"}, {"generator", "relief synctest"}}},
+    const json all = {{"asset", {{"version", "2.0"}, {"generator", "Relief"}}},
                       {"scene", 0},
                       {"scenes", {{{"nodes", {0}}}}},
-                      {"nodes", {{{"mesh", 0}, {"name", "cube"}}}},
-                      {"meshes", {{{"name", "cube"}, {"primitives", {primitive}}}}},
+                      {"nodes", {{{"mesh", 0}, {"name", name}}}},
+                      {"meshes", {{{"name", name}, {"primitives", {primitive}}}}},
                       {"materials", {material}},
                       {"textures", {{{"source", 0}, {"sampler", 0}}}},
                       {"samplers", {{{"magFilter", 9729}, {"minFilter", 9729}, {"wrapS", 33071}, {"wrapT", 33071}}}},
                       {"images", {{{"uri", map_file}}}},
-                      {"buffers", {{{"uri", buffer_file}, {"byteLength", files.buffer.size()}}}},
+                      {"buffers", {{{"uri", name + ".bin"}, {"byteLength", files.buffer.size()}}}},
                       {"bufferViews", views},
                       {"accessors", accessors}};
     files.json = all.dump(1) + "\n";
@@ -128,7 +131,7 @@ GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const 
 void write_synctest(const std::filesystem::path& folder) {
     make_folder(folder);
     const Mesh mesh = make_synctest_cube();
-    const GltfFiles gltf = synctest_gltf(mesh, "cube.bin", "cube_normal.png");
+    const GltfFiles gltf = gltf_files(mesh, "cube", "cube_normal.png");
     write_file(folder / "cube.gltf", gltf.json);
     write_file(folder / "cube.bin", gltf.buffer);
     write_file(folder / "cube.obj", synctest_obj(mesh, "cube.mtl"));
