@@ -9,6 +9,7 @@
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
 #include "framework/core/kit/tiles.h"
+#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
 #include "occlusion.h"
 #include "one_pixel.h"
@@ -27,16 +28,17 @@ public:
         if (seamless_) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
         if (view_ == terms && !frame.probe)
             draw_terms(frame);
+        else if (view_ == one_pixel && !frame.probe)
+            draw_and_describe_pixel(frame);
         else
             draw_view(frame, {{0, 0}, frame.size}, frame.probe);
-        if (view_ == one_pixel && !frame.probe) describe_pixel(frame);
         glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views, "the court; each light and what hides it; or the sum at one pixel");
+        knobs.choice("view", view_, views.names, "the court; each light and what hides it; or the sum at one pixel");
         knobs.choice("scene", stage_.place, Stage::places.names,
                      "the court; two walls that meet; a plane, alone or under a board");
         knobs.group("Mirror");
@@ -79,7 +81,7 @@ public:
 
 private:
     enum View { court_, terms, one_pixel };
-    static constexpr std::array views = {"court", "terms", "one-pixel"};
+    static constexpr auto views = choices<View>({{court_, "court"}, {terms, "terms"}, {one_pixel, "one-pixel"}});
     enum NormalFor { all_lights, lamps_only };
     static constexpr auto normal_fors = choices<NormalFor>({{all_lights, "all"}, {lamps_only, "lamps", "LIGHT_ONLY"}});
     enum Level { mip, base };
@@ -129,19 +131,20 @@ private:
         }
     }
 
-    /// Draws one picture: the maps that hide light, the surfaces, the sky.
+    /// Draws one picture in four passes: two that find what hides light, the surfaces, the sky.
     void draw_view(const Frame& frame, const Tile& tile, const Define& purpose) {
         if (frame.size.x <= 0 || frame.size.y <= 0) return;
-        draw_shadow_and_occlusion(frame, purpose);
+        draw_shadow(purpose);
+        draw_occlusion(frame, purpose);
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         draw_surfaces(frame, purpose);
         if (!frame.probe) draw_sky(frame);
     }
 
-    /// Writes the terms of the light at a pixel, as drawn and exact.
-    void describe_pixel(const Frame& frame) {
-        draw_shadow_and_occlusion(frame, "TERMS");
+    /// Draws the court, and writes the terms of the light at a pixel, as drawn and exact.
+    void draw_and_describe_pixel(const Frame& frame) {
+        draw_view(frame, {{0, 0}, frame.size}, "");
         const Terms drawn = pixel_.draw(frame, [&] { draw_surfaces(frame, "TERMS"); });
         const glm::ivec2 at = pixel_.in(frame);
         pixel_.describe(frame, drawn, exact_terms(frame.ray(at.x, at.y), lighting()), labels_);
@@ -156,22 +159,20 @@ private:
 
     // ---- passes
 
-    void draw_shadow_and_occlusion(const Frame& frame, const Define& purpose) {
-        if (shadow_.on && shows(purpose, "shadow")) shadow_.draw(stage_, light_.direction<double>());
-        if (occlusion_.on && shows(purpose, "occlusion")) occlusion_.draw(frame, stage_);
+    bool has_shadow(const Define& purpose) const { return shadow_.on && shows(purpose, "shadow"); }
+    bool has_occlusion(const Define& purpose) const { return occlusion_.on && shows(purpose, "occlusion"); }
+
+    void draw_shadow(const Define& purpose) {
+        if (has_shadow(purpose)) shadow_.draw(stage_, light_.direction<double>());
+    }
+
+    void draw_occlusion(const Frame& frame, const Define& purpose) {
+        if (has_occlusion(purpose)) occlusion_.draw(frame, stage_);
     }
 
     void draw_surfaces(const Frame& frame, const Define& purpose) {
-        const bool has_shadow = shadow_.on && shows(purpose, "shadow"),
-                   has_occlusion = occlusion_.on && shows(purpose, "occlusion"),
-                   has_sky = reflection_ && shows(purpose, "reflection");
         stage_.draw(frame.camera.clip_from_world(), [&](Material material) -> const Program& {
-            const Program& program = surface_.with(
-                {purpose, material == Material::floor ? "FLOOR" : "", stage_.displaced(material),
-                 has_sky ? "REFLECTION" : "", fresnels.define(fresnel_), glosses.define(gloss_),
-                 has_shadow ? "SHADOW" : "", SunShadow::biases.define(has_shadow ? shadow_.bias : SunShadow::none),
-                 has_occlusion ? "AO" : "", map_occlusion_ ? "OCCLUSION" : "", fmt::format("LAMPS {}", lamps_),
-                 normal_fors.define(normal_for_), levels.define(purpose.text == "TERMS" ? base : level_)});
+            const Program& program = program_of(material, purpose);
             glUseProgram(program);
             set_lights(program);
             set_sky(program);
@@ -180,10 +181,21 @@ private:
             program.set("u_exponent", exponent_);
             program.set("u_side", float(sky_texels));
             maps_.set(program, material);
-            if (has_occlusion) occlusion_.set(program);
-            if (has_shadow) shadow_.set(program);
+            if (has_occlusion(purpose)) occlusion_.set(program);
+            if (has_shadow(purpose)) shadow_.set(program);
             return program;
         });
+    }
+
+    const Program& program_of(Material material, const Define& purpose) const {
+        const bool has_sky = reflection_ && shows(purpose, "reflection");
+        return surface_.with({purpose, material == Material::floor ? "FLOOR" : "", stage_.displaced(material),
+                              has_sky ? "REFLECTION" : "", fresnels.define(fresnel_), glosses.define(gloss_),
+                              has_shadow(purpose) ? "SHADOW" : "",
+                              SunShadow::biases.define(has_shadow(purpose) ? shadow_.bias : SunShadow::none),
+                              has_occlusion(purpose) ? "AO" : "", map_occlusion_ ? "OCCLUSION" : "",
+                              fmt::format("LAMPS {}", lamps_), normal_fors.define(normal_for_),
+                              levels.define(purpose.text == "TERMS" ? base : level_)});
     }
 
     void draw_sky(const Frame& frame) {
@@ -191,19 +203,14 @@ private:
         glUseProgram(program);
         set_rays(program, frame);
         set_sky(program);
-        glDepthFunc(GL_LEQUAL);  // the sky is at the far plane, so it shows where nothing was drawn
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDepthFunc(GL_LESS);
+        window_.draw_behind();
     }
 
     void set_lights(const Program& program) const {
-        for (size_t i = 0; i < 2; ++i) program.set(fmt::format("u_ambient[{}]", i).c_str(), ambient[i]);
-        for (size_t i = 0; i < size_t(lamps_); ++i) {
-            program.set(fmt::format("u_lamp_color[{}]", i).c_str(), lamp_colors[i]);
-            program.set(fmt::format("u_lamp_place[{}]", i).c_str(),
-                        i == 0 ? light_.direction<double>() : lamp_places[i]);
-        }
+        set_each<glm::vec3>(program, "u_ambient", ambient);
+        set_each<glm::vec3>(program, "u_lamp_color", lamp_colors);
+        set_each<glm::vec3>(program, "u_lamp_place", lamp_places);
+        program.set("u_lamp_place[0]", light_.direction<double>());
     }
 
     void set_sky(const Program& program) {
@@ -215,7 +222,7 @@ private:
     Programs surface_{"16_environment/scene.vert", "16_environment/surface.frag"};
     Programs sky_{"common/far_window.vert", "16_environment/sky.frag"};
     CubeTexture sky_map_{"evening sky", sky_texels, evening_sky};
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Stage stage_;
     MaterialMaps maps_;
     SunShadow shadow_;

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "framework/core/gl/texel_target.h"
 #include "framework/core/kit/labels.h"
+#include "framework/core/kit/numbers.h"
 #include "truth.h"
 
 namespace relief::court {
@@ -18,28 +18,10 @@ public:
         return glm::clamp(glm::ivec2(place * glm::vec2(frame.size)), glm::ivec2(0), frame.size - 1);
     }
 
-    /// Returns the terms that draw_surfaces() writes at the pixel, or default ones if there is no surface. Leaves the
-    /// frame's target bound.
+    /// Returns the terms that draw_surfaces() writes at the pixel, or default ones if there is no surface.
     template <class DrawSurfaces>
-    Terms draw(const Frame& frame, DrawSurfaces draw_surfaces) {
-        constexpr size_t outputs = 4;  // of surface.frag
-        if (!target_)
-            target_.emplace(glm::ivec2(1),
-                            std::initializer_list<GLenum>{GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}, false, true);
-        target_->begin();
-        constexpr float nothing[] = {0, 0, 0, 0};
-        for (size_t i = 0; i < outputs; ++i) glClearBufferfv(GL_COLOR, GLint(i), nothing);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        const glm::ivec2 at = in(frame);
-        glViewport(-at.x, at.y + 1 - frame.size.y, frame.size.x, frame.size.y);
-        draw_surfaces();
-        std::array<glm::dvec4, outputs> values;
-        for (size_t i = 0; i < outputs; ++i) {
-            const Image texel = target_->read(i);
-            for (int c = 0; c < 4; ++c) values[i][c] = double(texel.values[size_t(c)]);
-        }
-        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
-        glViewport(0, 0, frame.size.x, frame.size.y);
+    Terms draw(const Frame& frame, DrawSurfaces draw_surfaces) const {
+        const std::array<glm::vec4, 4> values = draw_pixel(frame.size, in(frame), draw_surfaces);
         return {.ambient = values[0],
                 .lamps = values[1],
                 .mirror = values[2],
@@ -52,7 +34,7 @@ public:
     /// Adds the table of the terms and a cross at the pixel.
     void describe(const Frame& frame, const Terms& drawn, const std::optional<Terms>& exact, Labels& labels) const {
         const float line = Labels::line_height(frame.size);
-        add_cross(glm::vec2(in(frame)) + 0.5f, line, labels);
+        labels.cross(glm::vec2(in(frame)) + 0.5f, line);
         static constexpr std::array names = {"light of the sky", "  x occlusion", "+ lamps", "  (shadow",
                                              "+ mirrored sky",   "  (share",      "= light"};
         std::vector<std::string> lines = {
@@ -72,18 +54,6 @@ private:
         return {grey(terms.ambient), terms.occlusion, grey(terms.lamps), terms.shadow,
                 grey(terms.mirror),  terms.share,     grey(terms.light)};
     }
-
-    /// Adds a bright cross on a dark one, with a gap in its middle.
-    static void add_cross(glm::vec2 middle, float reach, Labels& labels) {
-        for (const auto& [color, thick] :
-             {std::pair(glm::vec4(0, 0, 0, 0.6f), 3.0f), std::pair(glm::vec4(1, 0.95f, 0.7f, 1), 1.0f)})
-            for (const float begin : {-1.0f, 0.3f}) {
-                labels.rectangle(middle + glm::vec2(begin * reach, -thick / 2), {0.7f * reach, thick}, color);
-                labels.rectangle(middle + glm::vec2(-thick / 2, begin * reach), {thick, 0.7f * reach}, color);
-            }
-    }
-
-    std::optional<TexelTarget> target_;
 };
 
 }  // namespace relief::court

@@ -82,20 +82,8 @@ Mesh mesh_of(const Scene& scene, Material material, bool displaced) {
                                              .up = quad.up,
                                              .cells = material == Material::floor && displaced ? 24 : 1,
                                              .tile = tile}));
-    for (const Box& box : scene.boxes) {
-        if (box.material != material) continue;
-        const glm::dvec3 middle = (box.low + box.high) / 2.0, reach = (box.high - box.low) / 2.0;
-        for (int side = 0; side < 6; ++side) {
-            glm::dvec3 normal(0);
-            normal[side / 2] = side % 2 == 0 ? 1 : -1;
-            const PlaneAxes axes = plane_axes(normal);
-            const glm::dvec3 right = axes.right * reach, up = axes.up * reach;
-            append(mesh, make_parallelogram({.corner = middle + normal * reach - right - up,
-                                             .right = 2.0 * right,
-                                             .up = 2.0 * up,
-                                             .tile = tile}));
-        }
-    }
+    for (const Box& box : scene.boxes)
+        if (box.material == material) append(mesh, make_block(box.low, box.high, tile));
     if (material != Material::marble) return mesh;
     for (const Column& column : scene.columns)
         append(mesh,

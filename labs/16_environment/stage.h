@@ -1,12 +1,9 @@
 // The scene of lab 16 on the GPU: a mesh and maps for each material.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "framework/core/kit/choices.h"
 #include "framework/core/kit/kept.h"
+#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
 #include "scene.h"
 
@@ -38,8 +35,7 @@ public:
             if (!all[i]) continue;
             const Program& program = program_of(Material(i));
             program.set("u_clip_from_world", clip_from_world);
-            for (size_t wave = 0; wave < ground_terms.size(); ++wave)
-                program.set(fmt::format("u_ground[{}]", wave).c_str(), glm::vec4(ground_terms[wave]));
+            set_each<glm::vec4>(program, "u_ground", ground_terms);
             program.set("u_water", water);
             program.set("u_rise", rise);
             glBindVertexArray(all[i]->layout());

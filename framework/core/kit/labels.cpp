@@ -29,6 +29,15 @@ std::vector<Labels::Corner>& Labels::corners_of_this_draw() {
 
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) { quad(place, size, {0, -1}, {0, -1}, color); }
 
+void Labels::cross(glm::vec2 middle, float reach) {
+    for (const auto& [color, thick] :
+         {std::pair(glm::vec4(0, 0, 0, 0.6f), 3.0f), std::pair(glm::vec4(1, 0.95f, 0.7f, 1), 1.0f)})
+        for (const float begin : {-1.0f, 0.3f}) {
+            rectangle(middle + glm::vec2(begin * reach, -thick / 2), {0.7f * reach, thick}, color);
+            rectangle(middle + glm::vec2(-thick / 2, begin * reach), {thick, 0.7f * reach}, color);
+        }
+}
+
 void Labels::heat_scale(glm::vec2 place, glm::vec2 size) { quad(place, size, {0, 2}, {1, 2}, glm::vec4(1)); }
 
 void Labels::text(const std::string& text, glm::vec2 place, float height, Align align, glm::vec3 color) {

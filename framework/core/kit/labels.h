@@ -32,6 +32,8 @@ public:
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
                  glm::vec3 color = {0.93f, 0.92f, 0.89f});
     void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
+    /// Adds a bright cross on a dark one, with a gap in its middle: for a pixel of which the picture tells more.
+    void cross(glm::vec2 middle, float reach);
     /// Adds the colours of heat(), from 0 on the left to 1 on the right.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 

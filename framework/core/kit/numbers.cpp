@@ -3,13 +3,32 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/gl/target.h"
+#include "framework/core/gl/texel_target.h"
 
 namespace relief {
 
+namespace {
+
+/// Restores the framebuffer and the viewport that were bound when it was made.
+class BoundBefore {
+public:
+    BoundBefore() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+        glGetIntegerv(GL_VIEWPORT, viewport_);
+    }
+    void restore() const {
+        glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer_));
+        glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+    }
+
+private:
+    GLint framebuffer_ = 0, viewport_[4] = {};
+};
+
+}  // namespace
+
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw) {
-    GLint framebuffer = 0, viewport[4] = {};
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-    glGetIntegerv(GL_VIEWPORT, viewport);
+    const BoundBefore before;
     const Target target(TargetKind::probe, size);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     glViewport(0, 0, size.x, size.y);
@@ -21,9 +40,26 @@ Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw) {
         draw();
     }
     Image drawn = target.read();
-    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer));
-    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    before.restore();
     return drawn;
+}
+
+std::array<glm::vec4, 4> draw_pixel(glm::ivec2 size, glm::ivec2 pixel, const std::function<void()>& draw) {
+    const BoundBefore before;
+    const TexelTarget target(glm::ivec2(1), {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}, false, true);
+    target.begin();
+    constexpr float nothing[] = {0, 0, 0, 0};
+    for (GLint i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, nothing);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glViewport(-pixel.x, pixel.y + 1 - size.y, size.x, size.y);
+    draw();
+    std::array<glm::vec4, 4> outputs;
+    for (size_t i = 0; i < outputs.size(); ++i) {
+        const Image texel = target.read(i);
+        outputs[i] = {texel.values[0], texel.values[1], texel.values[2], texel.values[3]};
+    }
+    before.restore();
+    return outputs;
 }
 
 Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {

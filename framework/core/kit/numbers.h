@@ -1,6 +1,7 @@
 // Images of numbers that a lab computes for itself, on the GPU or by rays.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
@@ -14,6 +15,11 @@ namespace relief {
 /// drawn, not_written where a task is missing. The viewport is the whole framebuffer. Restores framebuffer and
 /// viewport.
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw);
+
+/// Calls `draw` with a framebuffer of one pixel: the one at column and row `pixel` of a picture of `size`, which is the
+/// viewport. Returns the values of its fragment shader's outputs 0 to 3; they are 0 where nothing is drawn. Restores
+/// framebuffer and viewport.
+std::array<glm::vec4, 4> draw_pixel(glm::ivec2 size, glm::ivec2 pixel, const std::function<void()>& draw);
 
 /// Returns an image of four floats per pixel; row 0 is the top. `value` gets column and row, and must be thread-safe.
 Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value);

@@ -29,6 +29,22 @@ Mesh make_parallelogram(const Parallelogram& shape) {
     return mesh;
 }
 
+Mesh make_block(const glm::dvec3& low, const glm::dvec3& high, double tile) {
+    Mesh mesh;
+    const glm::dvec3 middle = (low + high) / 2.0, reach = (high - low) / 2.0;
+    for (int side = 0; side < 6; ++side) {
+        glm::dvec3 normal(0);
+        normal[side / 2] = side % 2 == 0 ? 1 : -1;
+        const PlaneAxes axes = plane_axes(normal);
+        const glm::dvec3 right = axes.right * reach, up = axes.up * reach;
+        append(
+            mesh,
+            make_parallelogram(
+                {.corner = middle + normal * reach - right - up, .right = 2.0 * right, .up = 2.0 * up, .tile = tile}));
+    }
+    return mesh;
+}
+
 void append(Mesh& mesh, const Mesh& part, const glm::dvec3& offset, const glm::vec2& tiles) {
     const auto first = uint32_t(mesh.vertices.size());
     for (Vertex vertex : part.vertices) {

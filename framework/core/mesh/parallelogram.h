@@ -1,4 +1,4 @@
-// Parallelograms with uv in metres, and meshes of several parts.
+// Parallelograms and boxes with uv in metres, and meshes of several parts.
 #pragma once
 
 #include "framework/core/mesh/mesh.h"
@@ -21,6 +21,9 @@ struct Parallelogram {
 /// Returns its mesh. uv are the distances of a position from the origin along plane_axes(), in tiles: parallelograms of
 /// one plane continue each other's texture.
 Mesh make_parallelogram(const Parallelogram& shape);
+
+/// Returns the six faces of an axis-aligned box. uv are as in make_parallelogram(), with `tile` in metres.
+Mesh make_block(const glm::dvec3& low, const glm::dvec3& high, double tile = 1);
 
 /// Appends a part, moved by `offset`, with its uv multiplied by `tiles`.
 void append(Mesh& mesh, const Mesh& part, const glm::dvec3& offset = {0, 0, 0}, const glm::vec2& tiles = {1, 1});

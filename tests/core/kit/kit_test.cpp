@@ -15,6 +15,7 @@
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/ray_mesh.h"
 #include "framework/core/kit/relief_material.h"
+#include "framework/core/kit/uniforms.h"
 #include "framework/core/kit/window_triangle.h"
 #include "tests/support.h"
 
@@ -87,17 +88,21 @@ TEST(Numbers, LeaveFramebufferAndViewport) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
-    const auto source = [](const char* stage, const char* text) {
+/// Returns a program for a triangle at the far plane, with this body of its fragment shader.
+Program far_triangle(const std::string& outputs, const std::string& body) {
+    const auto source = [](const char* stage, const std::string& text) {
         ShaderSource made;
-        made.stage = stage, made.text = text;
+        made.stage = stage, made.text = "#version 410 core\n" + text, made.names = {"u_places"};
         return made;
     };
-    const Program program(
-        {source("a.vert",
-                "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
-                "gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0); }\n"),
-         source("a.frag", "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(7.0); }\n")});
+    return Program({source("a.vert",
+                           "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                           "gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0); }\n"),
+                    source("a.frag", outputs + "void main() { " + body + " }\n")});
+}
+
+TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
+    const Program program = far_triangle("out vec4 o_color;\n", "o_color = vec4(7.0);");
     WindowTriangle triangle;
     for (const bool is_on : {true, false}) {
         const Image drawn = draw_numbers({5, 3}, [&] {
@@ -112,6 +117,63 @@ TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
         for (const float value : drawn.values) EXPECT_EQ(value, 7);
     }
     glEnable(GL_DEPTH_TEST);
+}
+
+TEST(WindowTriangle, BehindAllElseCoversThePixelsWithoutADepth) {
+    const Program program = far_triangle("out vec4 o_color;\n", "o_color = vec4(7.0);");
+    WindowTriangle triangle;
+    const Image drawn = draw_numbers({4, 2}, [&] {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 2, 2);
+        glClearDepth(0.5);
+        glClear(GL_DEPTH_BUFFER_BIT);  // something stands on the left
+        glClearDepth(1);
+        glDisable(GL_SCISSOR_TEST);
+        glUseProgram(program);
+        triangle.draw_behind();
+    });
+    for (int x = 0; x < 4; ++x) EXPECT_EQ(*drawn.pixel(x, 0), x < 2 ? no_surface : 7) << x;
+    GLint compare = 0;
+    glGetIntegerv(GL_DEPTH_FUNC, &compare);
+    EXPECT_EQ(compare, GL_LESS);
+}
+
+TEST(DrawPixel, ReturnsTheOutputsOfOnePixelOfThePicture) {
+    const Program program = far_triangle(
+        "layout(location = 0) out vec4 o_place;\nlayout(location = 2) out vec4 o_two;\n"
+        "layout(location = 1) out vec4 o_one;\nlayout(location = 3) out vec4 o_three;\n",
+        "o_place = vec4(1.0); o_one = vec4(1.5); o_two = vec4(2.5); "
+        "o_three = vec4(gl_FragCoord.xy, 0.0, 3.5);");
+    WindowTriangle triangle;
+    const glm::ivec2 size(6, 4);
+    for (const glm::ivec2 pixel : {glm::ivec2(0, 0), {5, 3}, {2, 1}}) {
+        const auto outputs = draw_pixel(size, pixel, [&] {
+            GLint viewport[4] = {};
+            glGetIntegerv(GL_VIEWPORT, viewport);
+            // The pixel's place in the viewport is that in the picture, which GL counts from the lower left corner.
+            EXPECT_EQ(glm::ivec2(viewport[0], viewport[1]), -glm::ivec2(pixel.x, size.y - 1 - pixel.y));
+            EXPECT_EQ(glm::ivec2(viewport[2], viewport[3]), size);
+            glUseProgram(program);
+            triangle.draw();
+        });
+        EXPECT_EQ(outputs[0], glm::vec4(1));
+        EXPECT_EQ(outputs[1], glm::vec4(1.5f));
+        EXPECT_EQ(outputs[2], glm::vec4(2.5f));
+        EXPECT_EQ(outputs[3].w, 3.5f);
+    }
+    EXPECT_EQ(draw_pixel(size, {1, 1}, [] {})[3], glm::vec4(0)) << "nothing is drawn";
+}
+
+TEST(SetEach, SetsTheElementsOfAnArray) {
+    const Program program = far_triangle("uniform vec2 u_places[3];\nout vec4 o_color;\n",
+                                         "o_color = vec4(u_places[0].y, u_places[1].x, u_places[1].y, u_places[2].x);");
+    WindowTriangle triangle;
+    const Image drawn = draw_numbers({1, 1}, [&] {
+        glUseProgram(program);
+        set_each<glm::vec2>(program, "u_places", std::array<glm::dvec2, 3>{{{1, 2}, {3, 4}, {5, 6}}});
+        triangle.draw();
+    });
+    EXPECT_EQ(drawn.values, std::vector<float>({2, 3, 4, 5}));
 }
 
 TEST(RayMesh, HasItsTreeCornersAndNormalsInItsTextures) {
@@ -200,6 +262,28 @@ TEST(Light, HasTheDirectionOfItsYawAndPitch) {
     expect_near(DistantLight{.yaw = 17, .pitch = 90}.direction(), {0, 1, 0});
     expect_near(DistantLight{.yaw = -50, .pitch = 40}.direction<double>(), DistantLight{}.direction());
     expect_near(lamp_at(90, 3, 2), {3, 2, 0});
+}
+
+TEST(LightView, HoldsTheWholeBoxFromAnyDirection) {
+    const glm::dvec3 low(-3, 0, 1), high(5, 2, 7);
+    for (const glm::dvec3& away : {glm::dvec3(0, 1, 0), {0, -1, 0}, {1, 0.3, -2}, {-4, 0.01, 0}, {0, 0, 1}}) {
+        const glm::dvec3 to_light = glm::normalize(away);
+        const LightView view = light_view(to_light, low, high);
+        EXPECT_LT(glm::distance(view.light_from_world * to_light, glm::dvec3(0, 0, 1)), 1e-12);
+        glm::dvec3 reach(0);
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 corner(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+            reach = glm::max(reach, glm::abs(glm::dvec3(view.clip_from_world * glm::dvec4(corner, 1))));
+        }
+        EXPECT_LT(std::max({reach.x, reach.y, reach.z}), 1);
+        EXPECT_GT(std::max(reach.x, reach.y), 0.98) << "fills the map";
+        EXPECT_GT(reach.z, 0.98);
+        // A metre towards the light is nearer by its share of the depth; a metre aside moves by its share of the width.
+        const auto clip = [&](const glm::dvec3& at) { return glm::dvec3(view.clip_from_world * glm::dvec4(at, 1)); };
+        const glm::dvec3 aside = glm::dvec3(1, 0, 0) * view.light_from_world;
+        EXPECT_LT(glm::distance(clip(low + to_light) - clip(low), glm::dvec3(0, 0, -2 / view.depth)), 1e-12);
+        EXPECT_LT(glm::distance(clip(low + aside) - clip(low), glm::dvec3(2 / view.width, 0, 0)), 1e-12);
+    }
 }
 
 /// A lab that has only a material.

@@ -1,4 +1,4 @@
-// Parallelograms with uv in metres, and meshes of several parts.
+// Parallelograms and boxes with uv in metres, and meshes of several parts.
 #include "framework/core/mesh/parallelogram.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +32,26 @@ TEST(Parallelogram, OnAGroundURunsAlongXAndVAlongMinusZ) {
     const PlaneAxes axes = plane_axes({0, 1, 0});
     EXPECT_EQ(axes.right, glm::dvec3(1, 0, 0));
     EXPECT_EQ(axes.up, glm::dvec3(0, 0, -1));
+}
+
+TEST(Block, HasSixOutwardFacesWithUvInMetres) {
+    const glm::vec3 low(-1, 2, 0.5f), high(1, 3, 4), middle = (low + high) / 2.0f;
+    const Mesh mesh = make_block(low, high, 0.5);
+    ASSERT_EQ(mesh.vertices.size(), 24u);
+    float area = 0;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
+                     &c = mesh.vertices[mesh.indices[i + 2]];
+        const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
+        EXPECT_GT(glm::dot(across, a.position - middle), 0) << "faces outwards";
+        EXPECT_NEAR(glm::dot(glm::normalize(across), a.normal), 1, 1e-6);
+        EXPECT_NEAR(glm::distance(a.uv, b.uv) * 0.5f, glm::distance(a.position, b.position), 2e-6);
+        area += glm::length(across) / 2;
+    }
+    EXPECT_NEAR(area, 2 * (2 * 1 + 1 * 3.5 + 2 * 3.5), 1e-5);
+    for (const Vertex& vertex : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_TRUE(vertex.position[axis] == low[axis] || vertex.position[axis] == high[axis]);
 }
 
 TEST(Append, MovesAPartAndRepeatsItsTexture) {
