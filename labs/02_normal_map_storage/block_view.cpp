@@ -4,7 +4,7 @@
 
 #include "blocks.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/counters.h"
+#include "framework/core/gl/encoded_texture.h"
 #include "framework/core/image/bc1.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/kit/numbers.h"
@@ -16,53 +16,6 @@ namespace {
 /// The part of a map that the vectors are drawn for, the upper left quarter: lower left corner and size, in uv.
 constexpr glm::dvec3 quarter(0, 0.5, 0.5), whole(0, 0, 1);
 constexpr double axis_length = 0.5;  ///< of the axes in vectors.vert
-
-/// A texture in a format that Texture does not have: BC5 blocks or signed bytes. It has no mip levels.
-class StoredTexture {
-public:
-    StoredTexture(const BlockMap& map, bool is_signed)
-        : StoredTexture(int64_t(map.bytes.size()), [&] {
-              const GLenum format = is_signed ? GL_COMPRESSED_SIGNED_RG_RGTC2 : GL_COMPRESSED_RG_RGTC2;
-              glCompressedTexImage2D(GL_TEXTURE_2D, 0, format, map.width, map.height, 0, GLsizei(map.bytes.size()),
-                                     map.bytes.data());
-          }) {}
-    /// Three signed bytes a texel, from unit normals.
-    explicit StoredTexture(const Image& normals)
-        : StoredTexture(int64_t(normals.values.size()), [&] {
-              std::vector<int8_t> rows;  // from the bottom to the top
-              for (int y = normals.height - 1; y >= 0; --y)
-                  for (int i = 0; i < 3 * normals.width; ++i)
-                      rows.push_back(int8_t(std::lround(127 * normals.pixel(0, y)[i])));
-              glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-              glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8_SNORM, normals.width, normals.height, 0, GL_RGB, GL_BYTE,
-                           rows.data());
-              glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-          }) {}
-    ~StoredTexture() { counters().texture_bytes -= bytes_; }
-    StoredTexture(const StoredTexture&) = delete;
-
-    void bind(int unit) const {
-        glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-        glBindTexture(GL_TEXTURE_2D, name_);
-    }
-
-private:
-    template <class Upload>
-    StoredTexture(int64_t bytes, Upload upload) : bytes_(bytes) {
-        GLint bound = 0;
-        glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-        glBindTexture(GL_TEXTURE_2D, name_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        upload();
-        glBindTexture(GL_TEXTURE_2D, GLuint(bound));
-        counters().texture_bytes += bytes_;
-    }
-
-    TextureName name_;
-    int64_t bytes_;
-};
 
 /// Returns the first `channels` components n of a map as colours, (n + 1) / 2.
 Image as_colors(const Image& normals, int channels) {
@@ -78,7 +31,7 @@ Image as_colors(const Image& normals, int channels) {
 
 /// A map in one format: in blocks or signed bytes, or in bytes.
 struct BlockView::Stored {
-    std::unique_ptr<StoredTexture> other;
+    std::optional<EncodedTexture> encoded;
     std::optional<Texture> bytes;
     double bytes_per_texel = 0;
 };
@@ -99,16 +52,15 @@ const BlockView::Stored& BlockView::stored(Format format) {
             keep_bytes(as_colors(map(), 2), 2);
         } else if (format == rgb8) {
             keep_bytes(as_colors(map(), 3), 3);
-        } else if (format == rgb8_snorm || format == snorm_codes || format == snorm_twice) {
-            result->other = std::make_unique<StoredTexture>(map());
-            result->bytes_per_texel = 3;
         } else if (format == bc1) {  // OpenGL has BC1 only as an extension, so the texture has the decoded colours
             keep_bytes(through_bc1(as_colors(map(), 3)), 0.5);
+        } else if (format == bc5 || format == bc5_snorm) {
+            const BlockMap blocks = compress(map(), format == bc5_snorm);
+            result->encoded.emplace(glm::ivec2(blocks.width, blocks.height), blocks.bytes, format == bc5_snorm);
         } else {
-            const BlockMap compressed = compress(map(), format == bc5_snorm);
-            result->other = std::make_unique<StoredTexture>(compressed, format == bc5_snorm);
-            result->bytes_per_texel = double(compressed.bytes.size()) / double(map().pixel_count());
+            result->encoded.emplace(map());
         }
+        if (result->encoded) result->bytes_per_texel = double(result->encoded->bytes()) / double(map().pixel_count());
         return std::shared_ptr<const Stored>(result);
     });
 }
@@ -121,7 +73,7 @@ void BlockView::set_textures(const Program& program, Format format) {
     if (map.bytes) {
         program.set("s_stored", 1, *map.bytes);
     } else {
-        map.other->bind(1);
+        map.encoded->bind(1);
         program.set("s_stored", 1);
     }
 }
@@ -159,9 +111,7 @@ void BlockView::draw(const Frame& part, glm::ivec2 size, const Tile& tile, const
     program.set("u_mirrored", repeat_ == mirrored && panel.look != field);
     program.set("u_split", panel.look == lit ? 2.0f : split);
     program.set("u_borders", borders_ ? 1.0f : 0.0f);
-    program.set("u_channel", panel.look == heights                         ? 0
-                             : panel.look == colors || panel.look == field ? -1
-                                                                           : panel.look - red);
+    program.set("u_channel", panel.channel);
     window_.draw();
     if (part.probe) return;
     if (panel.look == field) draw_vectors(part, size, tile, labels);

@@ -28,30 +28,33 @@ public:
                                                      {rgb8_snorm, "rgb8-snorm", "THREE_SIGNED"},
                                                      {snorm_codes, "snorm-codes", "CODES"},
                                                      {snorm_twice, "snorm-twice", "SIGNED_TWICE"}});
-    /// How a tile shows the map: lit, with the error to the right of the split; only lit; its colours, or one channel
-    /// of them; the heights that belong to it; or the colours with the vectors that they stand for.
-    enum Look { lit_and_error, lit, colors, red, green, blue, heights, field };
+    /// How a tile shows the map: lit, with the error to the right of the split; only lit; its colours; the heights that
+    /// belong to it; or the colours with the vectors that they stand for.
+    enum Look { lit_and_error, lit, colors, heights, field };
+    static constexpr int all = -1;
     /// The content of a tile.
     struct Panel {
         Format format;
         Look look;
         const char* title;
+        int channel;  ///< of colours or heights, or `all`
     };
-    static constexpr std::array<Panel, 4> in_blocks = {{{bytes, lit_and_error, "8:8 and z"},
-                                                        {bc1, lit_and_error, "BC1"},
-                                                        {bc5, lit_and_error, "BC5"},
-                                                        {bc5_snorm, lit_and_error, "BC5, signed"}}};
-    static constexpr std::array<Panel, 4> signed_textures = {{{rgb8, lit_and_error, "RGB8, 2x - 1"},
-                                                              {rgb8_snorm, lit_and_error, "RGB8_SNORM, as read"},
-                                                              {snorm_codes, lit_and_error, "its codes, in the shader"},
-                                                              {snorm_twice, lit_and_error, "RGB8_SNORM, 2x - 1"}}};
-    static constexpr std::array<Panel, 6> channels = {{{rgb8, heights, "heights"},
-                                                       {rgb8, colors, "normal map"},
-                                                       {rgb8, lit, "light"},
-                                                       {rgb8, red, "red: x"},
-                                                       {rgb8, green, "green: y"},
-                                                       {rgb8, blue, "blue: z"}}};
-    static constexpr std::array<Panel, 1> vectors = {{{rgb8, field, "one vector a texel"}}};
+    static constexpr std::array<Panel, 4> in_blocks = {{{bytes, lit_and_error, "8:8 and z", all},
+                                                        {bc1, lit_and_error, "BC1", all},
+                                                        {bc5, lit_and_error, "BC5", all},
+                                                        {bc5_snorm, lit_and_error, "BC5, signed", all}}};
+    static constexpr std::array<Panel, 4> signed_textures = {
+        {{rgb8, lit_and_error, "RGB8, 2x - 1", all},
+         {rgb8_snorm, lit_and_error, "RGB8_SNORM, as read", all},
+         {snorm_codes, lit_and_error, "its codes, in the shader", all},
+         {snorm_twice, lit_and_error, "RGB8_SNORM, 2x - 1", all}}};
+    static constexpr std::array<Panel, 6> channels = {{{rgb8, heights, "heights", 0},
+                                                       {rgb8, colors, "normal map", all},
+                                                       {rgb8, lit, "light", all},
+                                                       {rgb8, colors, "red: x", 0},
+                                                       {rgb8, colors, "green: y", 1},
+                                                       {rgb8, colors, "blue: z", 2}}};
+    static constexpr std::array<Panel, 1> vectors = {{{rgb8, field, "one vector a texel", all}}};
     enum Repeat { once, wrapped, mirrored };
     static constexpr auto repeats = choices<Repeat>({{once, "once"}, {wrapped, "wrapped"}, {mirrored, "mirrored"}});
 

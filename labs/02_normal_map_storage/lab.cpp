@@ -18,6 +18,8 @@
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
+#include "framework/core/kit/view_axes.h"
+#include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
 
@@ -42,13 +44,13 @@ public:
                                                       : storage::BlockView::formats.names[i - storage::formats.size()];
             return list;
         }();
-        knobs.choice("view", view_, views,
+        knobs.choice("view", view_, views.names,
                      "every format of a texel, one format, or a map: in blocks, in signed bytes, its channels, its "
                      "vectors");
         knobs.choice("format", format_, names,
                      "for view = one: the format of the sphere, or of a map in blocks (bc...)");
         knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
-        knobs.choice("show", show_, shows, "the light, the error, or half of each");
+        knobs.choice("show", show_, shows.names, "the light, the error, or half of each");
         block_view_.knobs(knobs);
     }
 
@@ -61,9 +63,15 @@ public:
 
 private:
     enum View { every, one, blocks, snorm, channels, field };
-    static constexpr std::array views = {"every", "one", "blocks", "snorm", "channels", "field"};
+    static constexpr auto views = choices<View>({{every, "every"},
+                                                 {one, "one"},
+                                                 {blocks, "blocks"},
+                                                 {snorm, "snorm"},
+                                                 {channels, "channels"},
+                                                 {field, "field"}});
     enum Show { half_and_half, light, error_map };
-    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr auto shows =
+        choices<Show>({{half_and_half, "half-and-half"}, {light, "light"}, {error_map, "error"}});
     static constexpr glm::ivec2 measured{512, 256};
     static constexpr size_t block_formats = 3;  ///< the first ones of BlockView::formats
 
@@ -132,23 +140,14 @@ private:
             {size}, [&] { return std::make_unique<TexelTarget>(size, std::initializer_list<GLenum>{GL_RGBA32F}); });
     }
 
-    void draw_sphere(const Frame& frame, const Tile& tile, const Program& sphere) const {
+    void draw_sphere(const Frame& frame, const Tile& tile, const Program& sphere) {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const Ray middle = frame.camera.ray({0, 0});
-        const glm::dvec3 forward = middle.direction;
-        const auto side = [&](glm::dvec2 clip) {  // from the middle of the window to its edge, one unit ahead
-            const glm::dvec3 direction = frame.camera.ray(clip).direction;
-            return direction / glm::dot(direction, forward) - forward;
-        };
         glUseProgram(sphere);
         sphere.set("s_codes", 0);
         sphere.set("u_eye", frame.camera.eye());
-        sphere.set("u_forward", forward);
-        sphere.set("u_right", side({1, 0}));
-        sphere.set("u_up", side({0, 1}));
+        set_rays(sphere, frame);
         sphere.set("u_split", split());
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        window_.draw();
     }
 
     /// Returns the error over evenly distributed directions, computed by the shader. It is measured again when a
@@ -160,8 +159,7 @@ private:
                 glUseProgram(sphere);
                 sphere.set("u_measured", measured);
                 sphere.set("s_codes", 0);
-                glBindVertexArray(nothing_.layout());
-                glDrawArrays(GL_TRIANGLES, 0, 3);
+                window_.draw();
             };
             const TexelTarget codes(measured, {GL_RGBA32F});
             codes.begin();
@@ -185,7 +183,7 @@ private:
     }
 
     Programs sphere_{"common/window.vert", "02_normal_map_storage/sphere.frag"};
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Kept<std::unique_ptr<TexelTarget>, glm::ivec2> codes_;
     BlockView block_view_;
     Labels labels_;

@@ -9,14 +9,14 @@
 
 #include "annotations.h"
 #include "framework/core/image/visualize.h"
-#include "framework/core/kit/choices.h"
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
+#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
 #include "scene.h"
+#include "settings.h"
 
 namespace relief {
 
@@ -36,48 +36,18 @@ public:
         most_level_ = DisplacedSurface::finest_level;
         const std::vector<View> views = views_of(frame);
         if (frame.probe) return draw_probe(frame.probe, views);
-        int triangles_of_eye = -1;  // unknown
-        for (const View& view : views) {
-            if (view.is_above) {
-                const int triangles = draw_picture(view, "PATCHES");
-                sight_.draw(view.seen.camera, view.eye.camera, surface_.shape == DisplacedSurface::ground ? 15 : 3.5);
-                describe_patches(frame.size, view.tile, triangles_of_eye < 0 ? -1 : triangles - triangles_of_eye);
-            } else {
-                triangles_of_eye = draw_picture(view, "");
-                labels_.caption(frame.size, view.tile, 0, fmt::format("{} triangles", triangles_of_eye));
-                if (may_crack()) mark_holes(frame.size, view);
-            }
-        }
+        int triangles = -1;  // of the eye's picture, unknown
+        for (const View& view : views)
+            if (view.is_above)
+                draw_above(frame.size, view, triangles);
+            else
+                triangles = draw_eye(frame.size, view);
         describe_limits(frame.size, views[0].tile);
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.group("Picture");
-        knobs.choice("view", view_, view_kinds, "the eye's picture, its patches from above, or both");
-        knobs.toggle("wire", wire_, "draw the triangles' edges");
-        knobs.group("Levels");
-        knobs.choice("method", method_, methods.names, "rule for the levels");
-        knobs.choice("levels_of", levels_of_, levels_ofs.names, "a level per edge, or per patch, which opens cracks");
-        knobs.slider("level", level_, 1, 64, "for method = uniform: level of every edge");
-        knobs.slider("nearest", nearest_, 0.1f, 32, "for method = distance: where edges have the finest level, metres");
-        knobs.slider("farthest", farthest_, 0.1f, 64,
-                     "for method = distance: where edges have the coarsest level, metres");
-        knobs.slider("finest", finest_, 0, 6, "for method = distance: the finest level, an exponent of 2");
-        knobs.slider("coarsest", coarsest_, 0, 6, "for method = distance: the coarsest level, an exponent of 2");
-        knobs.slider("segment", segment_, 1, 64, "for method = size: pixels per segment");
-        knobs.slider("budget", budget_, 0.125f, 8, "for method = error: tolerated error, pixels");
-        knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
-                     "positions of the vertices at a fractional level");
-        knobs.choice("mip", mip_, mips.names,
-                     "mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks");
-        knobs.group("Culling and fading");
-        knobs.choice("cull", cull_, culls,
-                     "cull no patches, those outside of the picture, or also those that face away");
-        knobs.toggle("fade", fade_, "let the displacement fade into the normal map");
-        knobs.slider("fade_begin", fade_begin_, 0, 64, "where the fade begins, metres from the eye");
-        knobs.slider("fade_end", fade_end_, 0, 64, "where the fade ends, metres from the eye");
-        light_.knobs(knobs);
+        settings_.knobs(knobs);
         surface_.knobs(knobs);
     }
 
@@ -88,19 +58,6 @@ public:
     }
 
 private:
-    enum ViewKind { both, eye_only, above };
-    enum Method { uniform, by_distance, by_size, by_error };
-    enum LevelsOf { edges, patches };
-    enum Mip { mip_base, mip_of_patch };
-    enum Cull { cull_none, cull_outside, cull_all };
-    static constexpr std::array view_kinds = {"both", "eye", "above"};
-    static constexpr auto methods = choices<Method>({{uniform, "uniform"},
-                                                     {by_distance, "distance", "BY_DISTANCE"},
-                                                     {by_size, "size", "BY_SIZE"},
-                                                     {by_error, "error", "BY_ERROR"}});
-    static constexpr auto levels_ofs = choices<LevelsOf>({{edges, "edge"}, {patches, "patch", "LEVELS_OF_PATCH"}});
-    static constexpr auto mips = choices<Mip>({{mip_base, "base"}, {mip_of_patch, "patch", "MIP_OF_PATCH"}});
-    static constexpr std::array culls = {"none", "outside", "all"};
     static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
         faded_color{0.62f, 0.70f, 0.72f};
 
@@ -113,9 +70,10 @@ private:
 
     std::vector<View> views_of(const Frame& frame) const {
         std::vector<View> all;
-        for (const Tile& tile : tiles_of(frame.size, view_ == both ? 2 : 1)) {
+        for (const Tile& tile : tiles_of(frame.size, settings_.view == Settings::both ? 2 : 1)) {
             const Frame eye = frame_in(frame, tile);
-            all.push_back({.tile = tile, .eye = eye, .seen = eye, .is_above = view_ == above || !all.empty()});
+            all.push_back(
+                {.tile = tile, .eye = eye, .seen = eye, .is_above = settings_.view == Settings::above || !all.empty()});
             if (all.back().is_above)
                 all.back().seen.camera = camera_above(eye, surface_.shape == DisplacedSurface::ground);
         }
@@ -125,14 +83,8 @@ private:
     /// Returns the cost of a picture in draws of the surface: one for the triangles of each view, two for their edges,
     /// and one for the search for holes.
     int draws_of_picture() const {
-        return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && may_crack() ? 1 : 0);
-    }
-    bool may_crack() const { return levels_of_ == patches || mip_ == mip_of_patch; }
-    /// Maximum level of an edge, with a margin for fractions that round up.
-    float highest_level() const {
-        return method_ == uniform       ? level_
-               : method_ == by_distance ? std::exp2(std::max(finest_, coarsest_))
-                                        : DisplacedSurface::finest_level;
+        return (settings_.view == Settings::both ? 2 : 1) * (settings_.wire ? 3 : 1) +
+               (settings_.view != Settings::above && settings_.may_crack() ? 1 : 0);
     }
 
     void draw_probe(const Probe& probe, const std::vector<View>& views) {
@@ -145,14 +97,30 @@ private:
         if (is_count) DisplacedSurface::end_winding();
     }
 
+    /// Draws what the eye sees, with its holes. Returns the number of triangles.
+    int draw_eye(glm::ivec2 size, const View& view) {
+        const int triangles = draw_picture(view, "");
+        labels_.caption(size, view.tile, 0, fmt::format("{} triangles", triangles));
+        if (settings_.may_crack()) mark_holes(size, view);
+        return triangles;
+    }
+
+    /// Draws the patches and the eye's lines of sight from above. `triangles` are those of the eye's picture, -1 if
+    /// unknown.
+    void draw_above(glm::ivec2 size, const View& view, int triangles) {
+        const int with_culled = draw_picture(view, "PATCHES");
+        sight_.draw(view.seen.camera, view.eye.camera, surface_.shape == DisplacedSurface::ground ? 15 : 3.5);
+        describe_patches(size, view.tile, triangles < 0 ? -1 : with_culled - triangles);
+    }
+
     /// Draws the surface and, if asked for, the edges of its triangles. Returns the number of triangles.
     int draw_picture(const View& view, const Define& purpose) {
         set_viewport(view.tile);
         glPolygonOffset(1, 1);
-        if (wire_) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
+        if (settings_.wire) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
         const int triangles = draw_surface(view, purpose);
         glDisable(GL_POLYGON_OFFSET_FILL);
-        if (!wire_) return triangles;
+        if (!settings_.wire) return triangles;
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         draw_surface(view, "WIRE");
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -170,10 +138,11 @@ private:
         const bool is_probe = purpose.text.starts_with("PROBE_");
         const bool has_backs = !surface_.is_one_sided() || purpose.text == "PROBE_winding";
         const Program& program =
-            program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_),
-                           methods.define(method_), levels_ofs.define(levels_of_), mips.define(mip_),
-                           fade_ ? "FADE" : "", color_define("OUTSIDE_COLOR", outside_color),
-                           color_define("AWAY_COLOR", away_color), color_define("FADED_COLOR", faded_color)});
+            program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(settings_.spacing),
+                           Settings::methods.define(settings_.method), Settings::levels_ofs.define(settings_.levels_of),
+                           Settings::mips.define(settings_.mip), settings_.fade ? "FADE" : "",
+                           color_define("OUTSIDE_COLOR", outside_color), color_define("AWAY_COLOR", away_color),
+                           color_define("FADED_COLOR", faded_color)});
         glUseProgram(program);
         surface_.set(program, view.seen);
         set_colors(program, view.seen);
@@ -182,43 +151,39 @@ private:
         bound_levels(program, is_probe ? 1 : draws_of_picture());
         if (!has_backs) glEnable(GL_CULL_FACE);
         // A probe has no caption for the count. Its caller may have a query of its own running.
-        int triangles = 0;
-        if (is_probe)
-            surface_.draw();
-        else
-            triangles = surface_.draw_and_count();
+        const int triangles = is_probe ? (surface_.draw(), 0) : surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;
     }
 
     void set_colors(const Program& program, const Frame& seen) const {
         program.set("u_seen_from", seen.camera.eye() - surface_.origin);
-        program.set("u_to_light", light_.direction());
+        program.set("u_to_light", settings_.light.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
     }
 
     void set_culling(const Program& program, const View& view, bool with_backs) const {
-        const auto planes = planes_of(view.eye.camera, surface_.origin);
-        for (size_t i = 0; i < planes.size(); ++i) program.set(fmt::format("u_planes[{}]", i).c_str(), planes[i]);
-        program.set("u_culls_outside", cull_ != cull_none);
-        program.set("u_culls_backs", cull_ == cull_all && with_backs);
+        set_each<glm::vec4>(program, "u_planes", planes_of(view.eye.camera, surface_.origin));
+        program.set("u_culls_outside", settings_.cull != Settings::cull_none);
+        program.set("u_culls_backs", settings_.cull == Settings::cull_all && with_backs);
         program.set("u_show_culled", view.eye.camera.eye() != view.seen.camera.eye());
     }
 
     void set_levels(const Program& program, const Frame& eye) {
-        known_.set(program, surface_, method_ == by_error, 3);
+        known_.set(program, surface_, settings_.method == Settings::by_error, 3);
         program.set("u_eye", eye.camera.eye() - surface_.origin);
-        program.set("u_level", level_);
-        program.set("u_by_distance", glm::vec4(nearest_, std::max(farthest_, nearest_ + 1e-3f), finest_, coarsest_));
-        program.set("u_pixels_per_radian", method_ == by_error ? most_pixels_per_radian(eye) : pixels_per_radian(eye));
-        program.set("u_pixels_per_segment", segment_);
-        program.set("u_budget", budget_);
-        program.set("u_fade", glm::vec2(fade_begin_, std::max(fade_end_, fade_begin_ + 1e-3f)));
+        program.set("u_level", settings_.level);
+        program.set("u_by_distance", glm::vec4(settings_.distances(), settings_.finest, settings_.coarsest));
+        program.set("u_pixels_per_radian",
+                    settings_.method == Settings::by_error ? most_pixels_per_radian(eye) : pixels_per_radian(eye));
+        program.set("u_pixels_per_segment", settings_.segment);
+        program.set("u_budget", settings_.budget);
+        program.set("u_fade", settings_.fade_range());
     }
 
     /// Limits the number of triangles of a picture that draws the surface `draws` times. All other uniforms are set.
     void bound_levels(const Program& program, int draws) {
-        const float most = surface_.most_level(program, highest_level(), draws);
+        const float most = surface_.most_level(program, settings_.highest_level(), draws);
         most_level_ = std::min(most_level_, most);
         // Without a bound the task's own maximum must show, also if it is missing.
         program.set("u_most_level", most < DisplacedSurface::finest_level ? most : std::numeric_limits<float>::max());
@@ -240,19 +205,21 @@ private:
     /// Writes the share of culled patches, and a legend of the colours. `more` is the number of triangles of culled
     /// patches, which are drawn here but not in the eye's picture. It is -1 if unknown.
     void describe_patches(glm::ivec2 size, const Tile& tile, int more) {
-        const bool is_even = spacing_ == 2, is_quad = surface_.corners() == 4;  // fractional-even takes level 1 for 2
+        const bool is_even = settings_.spacing == 2;  // fractional-even takes level 1 for 2
+        const bool is_quad = surface_.corners() == 4;
         const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
         const size_t count = surface_.patches().patches();
-        if (more >= 0 && cull_ != cull_none)
+        if (more >= 0 && settings_.cull != Settings::cull_none)
             labels_.caption(size, tile, 0,
                             fmt::format("{:.0f} % of {} patches culled",
                                         100.0 * more / each / double(std::max<size_t>(1, count)), count));
         std::vector<LegendEntry> levels, others;
         for (int octave = 0; octave < level_octaves; ++octave)  // the colours of surface.frag
             levels.push_back({std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1))});
-        if (cull_ != cull_none) others.push_back({"outside", outside_color});
-        if (cull_ == cull_all && surface_.is_one_sided()) others.push_back({"facing away", away_color});
-        if (fade_) others.push_back({"faded", faded_color});
+        if (settings_.cull != Settings::cull_none) others.push_back({"outside", outside_color});
+        if (settings_.cull == Settings::cull_all && surface_.is_one_sided())
+            others.push_back({"facing away", away_color});
+        if (settings_.fade) others.push_back({"faded", faded_color});
         add_legend(labels_, size, tile, {levels, others});
     }
 
@@ -261,7 +228,7 @@ private:
         std::string limits;
         if (most_level_ < DisplacedSurface::finest_level) limits = fmt::format("levels up to {:.0f}", most_level_);
         const int samples = densest_samples(surface_.patches().patches());
-        if (method_ == by_error && samples < densest_samples(1))
+        if (settings_.method == Settings::by_error && samples < densest_samples(1))
             limits += fmt::format("{}errors from {} places a side", limits.empty() ? "" : ", ", samples);
         if (!limits.empty()) labels_.caption(size, tile, 1, limits);
     }
@@ -269,16 +236,12 @@ private:
     Programs program_{"common/patch.vert", "14_adaptive_displacement/patch.tesc",
                       "14_adaptive_displacement/surface.tese", "14_adaptive_displacement/surface.frag"};
     SightLines sight_;
+    Settings settings_;
     DisplacedSurface surface_;
     PatchTexture known_;
     Labels labels_;
 
-    int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, mip_ = mip_base, cull_ = cull_all;
-    float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
     float most_level_ = 0;  ///< maximum level in this draw
-    bool fade_ = false, wire_ = false;
-    float fade_begin_ = 6, fade_end_ = 12;
-    DistantLight light_{-60, 30};
 };
 
 RELIEF_LAB(AdaptiveDisplacement);

@@ -2,50 +2,36 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "framework/core/gl/object.h"
-#include "framework/core/kit/view_axes.h"
+#include "framework/core/mesh/polar_grid.h"
 #include "water.h"
 
 namespace relief::ocean {
 
-/// A vertex of the sea.
-struct RingVertex {
-    float radius, angle;  ///< metres and radians, around the place below the eye
-    float exponent;       ///< of 2: the longest segment there, metres
-};
+/// Returns whether some water in the picture is so near that flat water would be off by more than `budget` pixels.
+bool are_waves_visible(const Frame& frame, const Water& water, double budget);
 
-/// Triangles between the vertices. Neighbouring patches share the values of all vertices on their common edge.
-struct RingGrid {
-    std::vector<RingVertex> vertices;
-    std::vector<unsigned> indices;
-};
+/// Returns the grid for a frame, without the patches outside of the picture. The detail of a vertex is the longest
+/// segment there, as an exponent of 2 of metres. Flat water has few triangles.
+PolarGrid grid_of(const Frame& frame, const Water& water, double budget, bool is_raised);
 
+/// A grid on the GPU.
 class Rings {
 public:
-    bool displace = true;
-    float budget = 3;  ///< error of the raised waves, pixels
-
-    /// Returns whether some water in the picture is so near that flat water would exceed the budget.
-    bool are_raised(const Frame& frame, const Water& water) const;
-
-    /// Returns the grid for a frame, without the patches outside of the picture.
-    RingGrid grid(const Frame& frame, const Water& water, bool is_raised) const;
-
+    void fill(PolarGrid grid);
     /// Sets the uniforms of sea.vert, and draws the triangles, or their edges with `wire`. The sea has no end, so
-    /// places are relative to the eye, in double precision up to here. Precondition: the program is in use.
-    void draw(const Program& program, const Frame& frame, const Water& water, bool is_raised, bool wire);
+    /// places are relative to the eye, in double precision up to here. Preconditions: fill(), and the program is in
+    /// use.
+    void draw(const Program& program, const Camera& camera, bool wire) const;
 
 private:
-    /// Returns the error in metres that covers the budget in pixels, at a distance in metres.
-    double tolerated(const Frame& frame, double distance) const;
-
     struct Buffers {
         VertexArrayName layout;
         BufferName vertices, indices;
     };
-    std::optional<Buffers> buffers_;  ///< made by the first draw()
+    PolarGrid grid_;
+    std::optional<Buffers> buffers_;  ///< made by the first fill()
 };
 
 }  // namespace relief::ocean

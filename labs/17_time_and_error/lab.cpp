@@ -9,13 +9,12 @@
 #include "framework/core/base/text.h"
 #include "framework/core/gl/patches.h"
 #include "framework/core/gl/vertex_stream.h"
-#include "framework/core/kit/choices.h"
 #include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/relief_surface.h"
-#include "framework/core/kit/tiles.h"
+#include "framework/core/kit/uniforms.h"
+#include "methods.h"
 #include "truth.h"
 
 namespace relief::budget {
@@ -40,7 +39,7 @@ public:
                 labels_.caption(frame.size, tile, 1,
                                 fmt::format("triangles coarser beyond {}", amount_of(reach, "metre", 2)));
             if (shows_methods)
-                list_methods(frame.size, tile, shares);
+                add_legend(labels_, frame.size, tile, shares);
             else
                 labels_.caption(
                     frame.size, tile, 0,
@@ -52,7 +51,7 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.slider("budget", budget_, 0.25f, 16, "tolerated error of the relief, pixels");
-        knobs.choice("view", view_, views, "the picture, the methods as colours, or both");
+        knobs.choice("view", view_, views.names, "the picture, the methods as colours, or both");
         knobs.choice("method", method_, methods.names, "the cheapest that keeps the budget, or one everywhere");
         knobs.toggle("spend", spend_, "for one method: thin the relief by the budget; off: as in labs 11 to 13");
         knobs.group("Costs");
@@ -73,24 +72,8 @@ public:
 
 private:
     enum View { both, picture, methods_only };
-    static constexpr std::array views = {"both", "picture", "methods"};
-    /// The values of the knob: `automatic`, then 1 + each Method. The definition compiles a method in.
-    static constexpr int automatic = 0, first_method = 1;
-    static constexpr auto methods = choices<int>({{automatic, "auto"},
-                                                  {first_method + plain, "plain", "PLAIN"},
-                                                  {first_method + normal_map, "normal-map", "NORMAL_MAP"},
-                                                  {first_method + parallax, "parallax", "PARALLAX"},
-                                                  {first_method + exact, "exact", "EXACT"},
-                                                  {first_method + displacement, "displacement", "DISPLACEMENT"}});
-    static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
-                                                                    {0.05f, 0.25f, 0.42f},
-                                                                    {0.14f, 0.45f, 0.20f},
-                                                                    {0.85f, 0.50f, 0.08f},
-                                                                    {0.65f, 0.08f, 0.06f}}};
+    static constexpr auto views = choices<View>({{both, "both"}, {picture, "picture"}, {methods_only, "methods"}});
     static constexpr glm::ivec2 measured{96, 96};
-
-    /// Share of the picture that each method draws, in [0, 1].
-    using Shares = std::optional<std::array<double, method_count>>;
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
 
@@ -201,18 +184,17 @@ private:
         program.set("u_size", glm::vec2(budget.frame.size));
         program.set("u_first_level", first_level(budget, maps));
         program.set("u_budget", budget.pixels);
-        program.set("u_shares[0]", budget.thinning);
-        program.set("u_shares[1]", budget.precision);
+        set_each<float>(program, "u_shares", std::array{budget.thinning, budget.precision});
         program.set("u_scale", budget.scale);
         program.set("u_range", maps.range);
         program.set("u_exact_taps", budget.exact_taps);
         program.set("u_levels", int(errors.size()));
-        for (size_t i = 0; i < errors.size(); ++i) program.set(fmt::format("u_errors[{}]", i).c_str(), errors[i]);
+        set_each<float>(program, "u_errors", errors);
         program.set("u_texels", float(maps.texels));
         program.set("u_normal_strength", glm::vec2(surface_.depth / ReliefMaterial::normals_depth));
         program.set("u_flat_level", maps.flat_level);
         program.set("u_flat_normal", maps.flat_normal);
-        for (size_t i = 0; i < colors.size(); ++i) program.set(fmt::format("u_colors[{}]", i).c_str(), colors[i]);
+        set_each<glm::vec3>(program, "u_colors", colors);
     }
 
     /// Returns the share of each method, measured on a small copy of the picture. The budget and the cost of a triangle
@@ -222,27 +204,7 @@ private:
         frame.size = measured;
         frame.probe = {"method"};
         const Image drawn = draw_numbers(measured, [&] { draw_wall(frame_budget(frame, smaller), false); });
-        if (std::find(drawn.values.begin(), drawn.values.end(), not_written) != drawn.values.end()) return {};
-        std::array<double, method_count> shares{};
-        double count = 0;
-        for (size_t i = 0; i < drawn.values.size(); i += 4)
-            if (std::isfinite(drawn.values[i])) {
-                ++shares[size_t(drawn.values[i])];
-                ++count;
-            }
-        for (double& share : shares) share /= std::max(1.0, count);
-        return shares;
-    }
-
-    void list_methods(glm::ivec2 size, const Tile& tile, const Shares& shares) {
-        const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
-        glm::vec2 place(float(tile.corner.x) + gap * 2,
-                        float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
-        for (size_t i = method_count; i-- > 0; place.y += line + gap) {
-            labels_.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
-            const std::string share = shares ? fmt::format(" {:.0f} %", 100 * (*shares)[i]) : "";
-            labels_.text(methods.names[first_method + i] + share, place + glm::vec2(line * 1.9f, 0), line);
-        }
+        return shares_in(drawn);
     }
 
     Programs flat_{"17_time_and_error/wall.vert", "17_time_and_error/surface.frag"};

@@ -4,6 +4,8 @@
 // weights have a derivative, too. Your tasks: shaders/18_moving_frames/task.glsl
 #include <fmt/format.h>
 
+#include <ranges>
+
 #include "bodies.h"
 #include "framework/core/height/scales.h"
 #include "framework/core/image/compare.h"
@@ -12,6 +14,9 @@
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
+#include "framework/core/kit/uniforms.h"
+#include "framework/core/kit/view_axes.h"
+#include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
 
@@ -120,17 +125,9 @@ private:
     void draw_sky(const Frame& frame) {
         const Program& program = sky_.with();
         glUseProgram(program);
-        const double up = std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2),
-                     right = up * frame.size.x / frame.size.y;
-        const glm::dmat4 view = glm::transpose(frame.camera.view_from_world());
-        program.set("u_forward", -glm::dvec3(view[2]));
-        program.set("u_right", right * glm::dvec3(view[0]));
-        program.set("u_up", up * glm::dvec3(view[1]));
+        set_rays(program, frame);
         program.set("u_to_light", settings_.light.direction());
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glEnable(GL_DEPTH_TEST);
+        window_.draw();
     }
 
     void draw_first(const Frame& frame, const Scene& scene, const Purpose& purpose) {
@@ -148,8 +145,7 @@ private:
         program.set("u_relief", settings_.relief);
         program.set("u_to_light", settings_.light.direction());
         program.set("u_folds", settings_.folds);
-        for (size_t i = 0; i < scene.materials.size(); ++i)
-            program.set(fmt::format("u_materials[{}]", i).c_str(), glm::mat3(scene.materials[i]));
+        set_each<glm::mat3>(program, "u_materials", scene.materials);
         if (scene.body.is_serpent && !purpose.unrolled) glEnable(GL_CULL_FACE);  // a tube is open
         bodies.draw();
         glDisable(GL_CULL_FACE);
@@ -184,16 +180,12 @@ private:
         const double over = std::clamp(pose.over * body.radius, 0.001 * body.radius, 3 * body.spacing());
         program.set("u_body", glm::vec4(body.length, body.radius, body.joints, over));
         program.set("u_odd_sign", pose.opposite ? -1.0f : 1.0f);
-        for (size_t i = 0; const Bone& bone : bones_of(body, pose)) {
-            const auto set = [&](const char* name, const auto& value) {
-                program.set(fmt::format("{}[{}]", name, i).c_str(), value);
-            };
-            set("u_bones", bone.matrix);
-            set("u_bone_normals", glm::mat3(bone.normals));
-            set("u_rotations", glm::vec4(bone.motion.real));
-            set("u_duals", glm::vec4(bone.motion.dual));
-            ++i;
-        }
+        const std::vector<Bone> bones = bones_of(body, pose);
+        const auto each = [&](auto part) { return bones | std::views::transform(part); };
+        set_each<glm::mat4>(program, "u_bones", each(&Bone::matrix));
+        set_each<glm::mat3>(program, "u_bone_normals", each(&Bone::normals));
+        set_each<glm::vec4>(program, "u_rotations", each([](const Bone& bone) { return bone.motion.real; }));
+        set_each<glm::vec4>(program, "u_duals", each([](const Bone& bone) { return bone.motion.dual; }));
     }
 
     Settings settings_;
@@ -203,7 +195,7 @@ private:
     Bodies first_, flock_;
     /// By way. Inputs: shape, pose, scale_y, triangles, renewals of the program.
     std::array<Kept<ErrorSummary, bool, Pose, float, Fineness, int>, 4> measured_;
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Labels labels_;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <numeric>
 
 namespace relief::moving_frames {
@@ -21,14 +20,6 @@ glm::dvec2 squared_profile(double v) {
     const glm::dvec2 body = glm::dvec2(0.5, 0) + bump(0.5, 0.45, 0.24) + bump(0.55, 0.945, 0.035);
     const double ends = tail * tail * cap, ends_slope = 6 * tail * w * w * cap - tail * tail * 24 * std::pow(v, 23);
     return {ends * body.x, ends_slope * body.x + ends * body.y};
-}
-
-glm::dvec4 as_vector(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
-
-Motion motion_of(const glm::dmat4& rigid) {
-    const glm::dquat real = glm::quat_cast(glm::dmat3(rigid));
-    const glm::dvec3 moved(rigid[3]);
-    return {as_vector(real), as_vector(glm::dquat(0, moved.x, moved.y, moved.z) * real * 0.5)};
 }
 
 /// The turn of a joint, in radians: a bend about an axis that is perpendicular to the chain, and a twist about the
@@ -105,7 +96,7 @@ std::vector<Bone> bones_of(const Body& body, const Pose& pose) {
         bone.matrix = glm::translate(chain, joint);
         bone.matrix = glm::translate(glm::scale(bone.matrix, glm::dvec3(along, 1, 1)), -joint);
         bone.normals = glm::dmat3(chain) * glm::dmat3(1, 0, 0, 0, along, 0, 0, 0, along);
-        bone.motion = motion_of(chain);
+        bone.motion = dual_quaternion_of(chain);
         if (glm::dot(bone.motion.real, real_before) < 0)
             bone.motion.real = -bone.motion.real, bone.motion.dual = -bone.motion.dual;
         real_before = bone.motion.real;
@@ -120,7 +111,7 @@ glm::dvec3 posed(const Body& body, const Pose& pose, const std::vector<Bone>& bo
     const glm::dvec3 rest = rest_at(body, uv).position;
     const Influence influence = influence_at(body, rest.x, pose.over * body.radius, pose.uneven);
     glm::dvec3 sum(0);
-    Motion motion{};
+    DualQuaternion motion;
     double weights = 0;
     for (int i = 0; i < 4; ++i) {
         const Bone& bone = bones[size_t(influence.first + i)];
@@ -128,12 +119,7 @@ glm::dvec3 posed(const Body& body, const Pose& pose, const std::vector<Bone>& bo
         sum += weight * glm::dvec3(bone.matrix * glm::dvec4(rest, 1)), weights += weight;
         motion.real += weight * bone.motion.real, motion.dual += weight * bone.motion.dual;
     }
-    if (!pose.dual) return sum / weights;
-    const glm::dvec3 v(motion.real), d(motion.dual);
-    const double w = motion.real.w;
-    const glm::dvec3 turned = rest * (w * w - glm::dot(v, v)) + 2.0 * (glm::dot(v, rest) * v + w * glm::cross(v, rest));
-    const glm::dvec3 moved = 2.0 * (w * d - motion.dual.w * v + glm::cross(v, d));
-    return (turned + moved) / glm::dot(motion.real, motion.real);
+    return pose.dual ? moved_by(motion, rest) : sum / weights;
 }
 
 Ball ball_of(const Body& body, const Pose& pose) {

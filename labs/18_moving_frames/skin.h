@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "framework/core/mesh/dual_quaternion.h"
 #include "framework/core/mesh/mesh.h"
 
 namespace relief::moving_frames {
@@ -37,15 +38,10 @@ struct Influence {
 /// sum of the weights is not 1 but in [0.65, 0.95].
 Influence influence_at(const Body& body, double x, double over, bool uneven);
 
-/// A unit dual quaternion. `real` is a rotation, `dual` half the translation times the rotation; both are x, y, z, w.
-struct Motion {
-    glm::dvec4 real, dual;
-};
-
 struct Bone {
-    glm::dmat4 matrix;   ///< from rest to pose, with the stretch
-    glm::dmat3 normals;  ///< its cofactors
-    Motion motion;       ///< without the stretch
+    glm::dmat4 matrix;      ///< from rest to pose, with the stretch
+    glm::dmat3 normals;     ///< its cofactors
+    DualQuaternion motion;  ///< without the stretch
 };
 
 struct Pose {

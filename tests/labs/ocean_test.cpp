@@ -47,7 +47,7 @@ TEST(Ocean, MapsMatchTheirCosines) {
                 const glm::dvec2 uv((x + 0.5) / map_texels, 1 - (y + 0.5) / map_texels);
                 if ((x * 7 + y * 13) % 1009 != 0) continue;
                 glm::dvec3 exact(0);
-                for (const ocean::Wave& wave : waves_of(map)) {
+                for (const PlaneWave& wave : waves_of(map)) {
                     const double angle = 2 * glm::pi<double>() * glm::dot(glm::dvec2(wave.k), uv) + wave.phase;
                     const glm::dvec2 number = 2 * glm::pi<double>() / tile_metres * glm::dvec2(wave.k);
                     exact += wave.amplitude * glm::dvec3(-number * std::sin(angle), std::cos(angle));
@@ -201,7 +201,7 @@ TEST(Ocean, AnEyeUnderWaterHasExactValuesWhereItsRaysLeaveTheWater) {
     const Image heights = truth("height");
     const auto height = [](const glm::dvec3& place) {
         double sum = 0;
-        for (const ocean::Wave& wave : waves_of(0))
+        for (const PlaneWave& wave : waves_of(0))
             sum += 1.2 * wave.amplitude *
                    std::cos(2 * glm::pi<double>() * double(0.16f) / tile_metres *
                                 glm::dot(glm::dvec2(wave.k), glm::dvec2(place.x, place.z)) +

@@ -22,7 +22,7 @@ struct Term {
 std::vector<Term> terms_of(const Sea& sea, double time) {
     std::vector<Term> terms;
     for (const Layer& layer : sea.layers)
-        for (const Wave& wave : waves_of(layer.map)) {
+        for (const PlaneWave& wave : waves_of(layer.map)) {
             // Drops whole tiles, which are whole periods of every wave.
             glm::dvec2 moved = layer.velocity * time;
             moved -= glm::floor(moved);
@@ -57,7 +57,7 @@ glm::dvec2 bounds_of(int map) {
             slope_ = std::max(slope_, std::hypot(double(waves.values[i]), double(waves.values[i + 1])));
         }
         int most = 0;
-        for (const Wave& wave : waves_of(of)) most = std::max({most, std::abs(wave.k.x), std::abs(wave.k.y)});
+        for (const PlaneWave& wave : waves_of(of)) most = std::max({most, std::abs(wave.k.x), std::abs(wave.k.y)});
         const double between = std::cos(glm::pi<double>() * most / map_texels);
         return glm::dvec2(height_, slope_) / (between * between);
     };

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns a symmetric bilinear form of two dual quaternions. moved_by(a, a, p) is the place p moved by a, times the
 /// squared length of a.real, so a need not be unit.
-glm::dvec3 moved_by(const Motion& a, const Motion& b, const glm::dvec3& p) {
+glm::dvec3 moved_by(const DualQuaternion& a, const DualQuaternion& b, const glm::dvec3& p) {
     const glm::dvec3 v(a.real), w(b.real), d(a.dual), e(b.dual);
     const double s = a.real.w, t = b.real.w;
     const glm::dvec3 turned = p * (s * t - glm::dot(v, w)) + glm::dot(v, p) * w + glm::dot(w, p) * v +
@@ -140,9 +140,9 @@ glm::dmat3 exact_jacobian(const Body& body, const Pose& pose, const std::vector<
         }
         return jacobian / sum;
     }
-    Motion blend{}, change{};
+    DualQuaternion blend, change;
     for (int i = 0; i < 4; ++i) {
-        const Motion& motion = bones[size_t(influence.first + i)].motion;
+        const DualQuaternion& motion = bones[size_t(influence.first + i)].motion;
         blend.real += influence.weights[i] * motion.real, blend.dual += influence.weights[i] * motion.dual;
         change.real += influence.slopes[i] * motion.real, change.dual += influence.slopes[i] * motion.dual;
     }

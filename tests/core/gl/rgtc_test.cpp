@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "framework/core/gl/gl.h"
-#include "framework/core/gl/object.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/encoded_texture.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/window_triangle.h"
@@ -17,7 +17,8 @@
 namespace relief {
 namespace {
 
-TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
+/// Returns the texels of a texture as a shader reads them. Row 0 is the texture's upper one.
+Image texels_of(const EncodedTexture& texture, glm::ivec2 size) {
     TemporaryFolder folder;
     folder.write("a.vert",
                  "#version 410 core\nvoid main() {\n"
@@ -26,6 +27,16 @@ TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
                  "#version 410 core\nuniform sampler2D s_map;\nout vec4 o_color;\n"
                  "void main() { o_color = texelFetch(s_map, ivec2(gl_FragCoord.xy), 0); }\n");
     const Program program({folder.path() / "a.vert", folder.path() / "a.frag"}, {});
+    WindowTriangle window;
+    return draw_numbers(size, [&] {
+        glUseProgram(program);
+        texture.bind(3);
+        program.set("s_map", 3);
+        window.draw();
+    });
+}
+
+TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
     constexpr int blocks = 16;  // in a row and in a column
     for (const RgtcKind kind : {RgtcKind::unorm, RgtcKind::snorm}) {
         const int low = kind == RgtcKind::unorm ? 0 : -127, high = kind == RgtcKind::unorm ? 255 : 127;
@@ -40,23 +51,13 @@ TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
             stored.push_back(block);
             for (const uint8_t byte : rgtc_bytes(block)) bytes.push_back(byte);
         }
-        const TextureName texture;
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, texture);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glCompressedTexImage2D(GL_TEXTURE_2D, 0,
-                               kind == RgtcKind::unorm ? GL_COMPRESSED_RG_RGTC2 : GL_COMPRESSED_SIGNED_RG_RGTC2,
-                               4 * blocks, 4 * blocks, 0, GLsizei(bytes.size()), bytes.data());
+        const EncodedTexture texture(glm::ivec2(4 * blocks), bytes, kind == RgtcKind::snorm);
+        EXPECT_EQ(texture.bytes(), 16 * blocks * blocks);
+        texture.bind(0);
         GLint compressed = 0;
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_COMPRESSED, &compressed);
         EXPECT_TRUE(compressed);
-        WindowTriangle window;
-        const Image drawn = draw_numbers(glm::ivec2(4 * blocks), [&] {
-            glUseProgram(program);
-            program.set("s_map", 0);
-            window.draw();
-        });
+        const Image drawn = texels_of(texture, glm::ivec2(4 * blocks));
         double largest = 0, largest_at_ends = 0;
         for (int y = 0; y < 4 * blocks; ++y)
             for (int x = 0; x < 4 * blocks; ++x)
@@ -74,6 +75,22 @@ TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
         EXPECT_LE(largest * high, in_software ? 1.601 : 6.8) << "kind " << int(kind);
         EXPECT_LE(largest_at_ends, in_software ? 1e-6 : 2e-5) << "kind " << int(kind);
     }
+}
+
+TEST(EncodedTexture, HoldsVectorsInSignedBytesAndCountsThem) {
+    Image vectors(5, 3, 3);  // rows of 15 bytes, which no alignment may pad
+    for (size_t i = 0; i < vectors.values.size(); ++i) vectors.values[i] = float(i) / 22 - 1;
+    const int64_t before = counters().texture_bytes;
+    {
+        const EncodedTexture texture(vectors);
+        EXPECT_EQ(counters().texture_bytes - before, 45);
+        const Image read = texels_of(texture, {5, 3});
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 5; ++x)
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(read.pixel(x, y)[c], std::round(127 * vectors.pixel(x, y)[c]) / 127, 1e-6);
+    }
+    EXPECT_EQ(counters().texture_bytes, before);
 }
 
 }  // namespace

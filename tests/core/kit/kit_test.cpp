@@ -255,6 +255,21 @@ TEST(Culling, DropsSpheresBesideAndBehindThePicture) {
     EXPECT_TRUE(may_be_seen(camera.clip_from_world(), camera.ray({0.2, 0}).at(5), 0.1, {0, 1}));
 }
 
+TEST(Culling, DropsAHullOnlyIfTheWholeIsBeyondOneSide) {
+    const Camera camera({.yaw = 30, .pitch = 20, .distance = 3}, 1.5);
+    const auto outside = [&](std::initializer_list<glm::dvec2> places, double distance) {
+        std::vector<glm::dvec3> corners;
+        for (const glm::dvec2 place : places) corners.push_back(camera.ray(place).at(distance));
+        return is_outside(camera.clip_from_world(), corners);
+    };
+    for (const glm::dvec2 side : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        EXPECT_TRUE(outside({1.1 * side, 1.5 * side}, 5));
+        EXPECT_FALSE(outside({0.9 * side, 1.5 * side}, 5)) << "one corner is visible";
+        EXPECT_FALSE(outside({-1.5 * side, 1.5 * side}, 5)) << "it crosses the picture";
+    }
+    EXPECT_TRUE(outside({{0, 0}, {0.5, 0.5}}, -0.2)) << "behind the eye";
+}
+
 TEST(Light, HasTheDirectionOfItsYawAndPitch) {
     const auto expect_near = [](glm::dvec3 a, glm::dvec3 b) { EXPECT_LT(glm::distance(a, b), 1e-6); };
     expect_near(DistantLight{.yaw = 0, .pitch = 0}.direction(), {0, 0, 1});

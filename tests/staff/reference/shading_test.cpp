@@ -125,8 +125,8 @@ TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinTheGlRange) {
 
 TEST(ReliefBounds, ContainTheReliefTightly) {
     // A patch of a wall that faces +z, with a depth of 0.5: its relief lies 0.3 to 0.1 below the wall, along the axis.
-    const glm::dvec4 sphere = relief_bounds({1, 2, 3, 0.5}, {0, 0, 1}, 0, 0.4, 0.8, 0.5);
-    EXPECT_LT(glm::distance(sphere, glm::dvec4(1, 2, 3 - 0.2, 0.6)), 1e-15);
+    const glm::dvec4 bounds = relief_bounds({1, 2, 3, 0.5}, {0, 0, 1}, 0, 0.4, 0.8, 0.5);
+    EXPECT_LT(glm::distance(bounds, glm::dvec4(1, 2, 3 - 0.2, 0.6)), 1e-15);
     // Half a metre along a direction that deviates by 0.1 ends 0.05 beside the axis.
     EXPECT_NEAR(relief_bounds({0, 0, 0, 1}, {0, 0, 1}, 0.1, 0, 0, 0.5).w, 1.05, 1e-15);
 }

@@ -1,0 +1,73 @@
+// The knobs of lab 14. Each choice has one table: its values, their names, and their defines in the shaders.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/displaced_surface.h"
+#include "framework/core/kit/light.h"
+
+namespace relief::adaptive {
+
+struct Settings {
+    enum View { both, eye_only, above };
+    static constexpr auto views = choices<View>({{both, "both"}, {eye_only, "eye"}, {above, "above"}});
+    enum Method { uniform, by_distance, by_size, by_error };
+    static constexpr auto methods = choices<Method>({{uniform, "uniform"},
+                                                     {by_distance, "distance", "BY_DISTANCE"},
+                                                     {by_size, "size", "BY_SIZE"},
+                                                     {by_error, "error", "BY_ERROR"}});
+    enum LevelsOf { edges, patches };
+    static constexpr auto levels_ofs = choices<LevelsOf>({{edges, "edge"}, {patches, "patch", "LEVELS_OF_PATCH"}});
+    enum Mip { mip_base, mip_of_patch };
+    static constexpr auto mips = choices<Mip>({{mip_base, "base"}, {mip_of_patch, "patch", "MIP_OF_PATCH"}});
+    enum Cull { cull_none, cull_outside, cull_all };
+    static constexpr auto culls = choices<Cull>({{cull_none, "none"}, {cull_outside, "outside"}, {cull_all, "all"}});
+
+    int view = both, method = by_error, levels_of = edges, spacing = 1, mip = mip_base, cull = cull_all;
+    float level = 8, nearest = 1, farthest = 16, finest = 5, coarsest = 0, segment = 8, budget = 4;
+    bool fade = false, wire = false;
+    float fade_begin = 6, fade_end = 12;
+    DistantLight light{-60, 30};
+
+    bool may_crack() const { return levels_of == patches || mip == mip_of_patch; }
+    /// Returns the maximum level of an edge.
+    float highest_level() const {
+        return method == uniform       ? level
+               : method == by_distance ? std::exp2(std::max(finest, coarsest))
+                                       : DisplacedSurface::finest_level;
+    }
+    /// Return `nearest` and `farthest`, and the ends of the fade, each with the second above the first.
+    glm::vec2 distances() const { return {nearest, std::max(farthest, nearest + 1e-3f)}; }
+    glm::vec2 fade_range() const { return {fade_begin, std::max(fade_end, fade_begin + 1e-3f)}; }
+
+    void knobs(Knobs& knobs) {
+        knobs.group("Picture");
+        knobs.choice("view", view, views.names, "the eye's picture, its patches from above, or both");
+        knobs.toggle("wire", wire, "draw the triangles' edges");
+        knobs.group("Levels");
+        knobs.choice("method", method, methods.names, "rule for the levels");
+        knobs.choice("levels_of", levels_of, levels_ofs.names, "a level per edge, or per patch, which opens cracks");
+        knobs.slider("level", level, 1, 64, "for method = uniform: level of every edge");
+        knobs.slider("nearest", nearest, 0.1f, 32, "for method = distance: where edges have the finest level, metres");
+        knobs.slider("farthest", farthest, 0.1f, 64,
+                     "for method = distance: where edges have the coarsest level, metres");
+        knobs.slider("finest", finest, 0, 6, "for method = distance: the finest level, an exponent of 2");
+        knobs.slider("coarsest", coarsest, 0, 6, "for method = distance: the coarsest level, an exponent of 2");
+        knobs.slider("segment", segment, 1, 64, "for method = size: pixels per segment");
+        knobs.slider("budget", budget, 0.125f, 8, "for method = error: tolerated error, pixels");
+        knobs.choice("spacing", spacing, DisplacedSurface::spacings, "positions of the vertices at a fractional level");
+        knobs.choice("mip", mip, mips.names,
+                     "mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks");
+        knobs.group("Culling and fading");
+        knobs.choice("cull", cull, culls.names,
+                     "cull no patches, those outside of the picture, or also those that face away");
+        knobs.toggle("fade", fade, "let the displacement fade into the normal map");
+        knobs.slider("fade_begin", fade_begin, 0, 64, "where the fade begins, metres from the eye");
+        knobs.slider("fade_end", fade_end, 0, 64, "where the fade ends, metres from the eye");
+        light.knobs(knobs);
+    }
+};
+
+}  // namespace relief::adaptive
