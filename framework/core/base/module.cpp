@@ -60,7 +60,8 @@ Module open_own_module(const char* name, const char* package) {
         return Module(this_program, package);
     }
 #endif
-    if (!opens_own_modules()) throw Error(fmt::format("this program has no {}: build the course on Linux, which has it", name));
+    if (!opens_own_modules())
+        throw Error(fmt::format("this program has no {}: build the course on Linux, which has it", name));
     const std::string path = (framework_folder() / name).string();
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))
