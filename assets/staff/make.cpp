@@ -9,7 +9,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/image/file.h"
-#include "framework/staff/synctest/files.h"
+#include "framework/staff/reference/gltf_files.h"
 
 int main(int argc, char** argv) {
     if (argc != 2) {
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
             }
         auto models = relief::make_garden();
         models.emplace_back("urn.obj", relief::make_urn());
-        const auto rope = relief::synctest::gltf_files(relief::make_coarse_rope(), "rope", "rope_normal.png");
+        const auto rope = relief::gltf_files(relief::make_coarse_rope(), "rope", "rope_normal.png");
         models.emplace_back("rope.gltf", rope.json);
         models.emplace_back("rope.bin", rope.buffer);
         for (const auto& [name, text] : models) {
