@@ -6,6 +6,7 @@
 #include "assets/staff/masks.h"
 #include "assets/staff/packed.h"
 #include "assets/staff/quilt.h"
+#include "assets/staff/rope.h"
 #include "framework/staff/reference/normals.h"
 
 namespace relief {
@@ -29,6 +30,7 @@ std::vector<NamedTexture> make_textures(const std::string& surface) {
                 {"wire_mask.png", ColorSpace::linear, make_wire_mask()},
                 {"bricks_specular.png", ColorSpace::linear, make_brick_highlights()}};
     }
+    if (surface == "rope") return {{"rope_normal.png", ColorSpace::linear, bake_rope()}};
     if (surface == "marble") return {{"marble_albedo.png", ColorSpace::srgb, make_marble()}};
     const bool bricks = surface == "bricks";
     SurfaceMaps maps = bricks ? make_bricks() : make_paving();

@@ -16,7 +16,7 @@ struct NamedTexture {
 
 /// Returns the textures of a surface. "bricks" and "paving": albedo, height, normal map, and gloss, height and
 /// occlusion in one. "marble": albedo. "quilt": normals in three spaces. "garden": the grass, the ivy, lab 08's masks,
-/// and its bricks' highlights.
+/// and its bricks' highlights. "rope": the normal map of the ring of rope.
 std::vector<NamedTexture> make_textures(const std::string& surface);
 
 }  // namespace relief

@@ -25,17 +25,19 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            draw_surface(frame_in(frame, tiles[i]), tiles[i], view_ == one ? chosen() : comparisons[i]);
-            if (view_ == compare) labels_.caption(frame.size, tiles[i], 0, comparisons[i].title);
+            const Way way = way_of(i);
+            draw_surface(frame_in(frame, tiles[i]), tiles[i], way);
+            if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
         }
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views, "the right way and three mistakes, or one picture by the knobs");
+        knobs.choice("view", view_, views,
+                     "the right way and three mistakes, one picture by the knobs, or a cube that is turned");
         knobs.choice_or_file("shape", shape_, own_mesh_, shapes,
-                             "shape of the model; the wall's left half is mirrored");
+                             "for view = compare and one: shape of the model; the wall's left half is mirrored");
         knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
         knobs.choice_or_file("map", map_, own_, maps,
@@ -48,12 +50,12 @@ public:
         knobs.choice("order", order_, orders,
                      "the model's matrices multiplied first, or the normal transformed by one after the other");
         knobs.toggle("turn_tangent", turn_tangent_, "for view = one: rotate the tangent with the texture");
-        knobs.slider("turn", turn_, -180, 180, "rotation of the texture, degrees");
+        knobs.slider("turn", turn_, -180, 180, "for view = compare and one: rotation of the texture, degrees");
         knobs.group("Model");
-        knobs.slider("scale_x", scale_.x, -2, 2, "scale of the model along x");
-        knobs.slider("scale_y", scale_.y, -2, 2, "scale of the model along y");
-        knobs.slider("scale_z", scale_.z, -2, 2, "scale of the model along z");
-        knobs.steps("size", size_, -6, 6, "size of the model, a power of ten");
+        knobs.slider("scale_x", scale_.x, -2, 2, "for view = compare and one: scale of the model along x");
+        knobs.slider("scale_y", scale_.y, -2, 2, "for view = compare and one: scale of the model along y");
+        knobs.slider("scale_z", scale_.z, -2, 2, "for view = compare and one: scale of the model along z");
+        knobs.steps("size", size_, -6, 6, "for view = compare and one: size of the model, a power of ten");
         knobs.slider("rotate", rotate_, -180, 180, "rotation of the model about the vertical, degrees");
         knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
@@ -64,32 +66,37 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
-        if (frames::Shape(shape_) == frames::Shape::own) return {};
+        if (shape() == frames::Shape::own) return {};
         if (normals_from_ == from_map && (map_ == own || (map_ == of_model && own_mesh_.normal_map()))) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;
         // Without a tangent, the direction of the bumps is undefined.
         if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
-        const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
-                                glm::radians(double(turn_))};
-        return truth_in_tiles(frame, tiles_of_view(frame.size),
-                              [&](const Frame& part, size_t) { return frames::truth(part, pose); });
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t tile) {
+            const frames::Pose pose{shape(), world_from_model(way_of(tile)), has_map ? double(strength_) : 0.0,
+                                    glm::radians(double(turn()))};
+            return frames::truth(part, pose);
+        });
     }
 
 private:
     /// The definitions of a variant. Empty ones are the correct choice.
     struct Way {
         const char *title, *frame, *normals, *turn;
+        double degrees;  ///< by which the model turns, beside `rotate`
     };
-    static constexpr std::array<Way, 4> comparisons = {{{"right", "", "", ""},
-                                                        {"frame as interpolated", "AS_INTERPOLATED", "", ""},
-                                                        {"normal by the model's matrix", "", "MODEL_MATRIX", ""},
-                                                        {"tangent not turned", "", "", "TANGENT_STAYS"}}};
-    enum View { compare, one };
+    static constexpr std::array<Way, 4> comparisons = {{{"right", "", "", "", 0},
+                                                        {"frame as interpolated", "AS_INTERPOLATED", "", "", 0},
+                                                        {"normal by the model's matrix", "", "MODEL_MATRIX", "", 0},
+                                                        {"tangent not turned", "", "", "TANGENT_STAYS", 0}}};
+    static constexpr std::array<Way, 3> turned_cubes = {{{"as it was made", "", "", "", 0},
+                                                         {"turned by 90 degrees", "", "", "", -90},
+                                                         {"normals not turned", "", "MODEL_SPACE", "", -90}}};
+    enum View { compare, one, turned };
     enum NormalsFrom { from_map, from_vertices };
     enum Map { bricks, one_texel, of_model, own };
     enum LightIn { world_space, tangent_space };
     enum Trouble { none, leaning, along_normal, missing };
-    static constexpr std::array views = {"compare", "one"};
+    static constexpr std::array views = {"compare", "one", "turned"};
     static constexpr std::array shapes = {"sphere", "column", "wall"};
     static constexpr std::array sources = {"map", "vertices"};
     static constexpr std::array maps = {"bricks", "one-texel", "model"};
@@ -100,23 +107,28 @@ private:
                                                        {along_normal, "along-normal", "TANGENT_ALONG_NORMAL"},
                                                        {missing, "missing", "NO_TANGENT"}});
 
+    Way way_of(size_t tile) const {
+        return view_ == compare ? comparisons[tile] : view_ == turned ? turned_cubes[tile] : chosen();
+    }
     Way chosen() const {
         return {"", gram_schmidt_ ? "" : "AS_INTERPOLATED", inverse_transpose_ ? "" : "MODEL_MATRIX",
-                turn_tangent_ ? "" : "TANGENT_STAYS"};
+                turn_tangent_ ? "" : "TANGENT_STAYS", 0};
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == one ? 1 : int(comparisons.size()));
+        constexpr std::array counts = {int(comparisons.size()), 1, int(turned_cubes.size())};
+        return tiles_of(size, counts[size_t(view_)]);
     }
 
-    glm::dvec3 scaling() const { return glm::dvec3(scale_) * std::pow(10.0, size_); }
-    glm::dmat4 rotation() const {
-        return glm::rotate(glm::dmat4(1), glm::radians(double(rotate_)), glm::dvec3(0, 1, 0));
+    frames::Shape shape() const { return view_ == turned ? frames::Shape::cube : frames::Shape(shape_); }
+    float turn() const { return view_ == turned ? 0 : turn_; }
+    glm::dvec3 scaling() const { return view_ == turned ? glm::dvec3(1) : glm::dvec3(scale_) * std::pow(10.0, size_); }
+    glm::dmat4 rotation(const Way& way) const {
+        return glm::rotate(glm::dmat4(1), glm::radians(double(rotate_) + way.degrees), glm::dvec3(0, 1, 0));
     }
-    glm::dmat4 world_from_model() const {
-        const glm::dmat4 scaled = glm::scale(rotation(), scaling());
-        return frames::Shape(shape_) == frames::Shape::column
-                   ? glm::translate(scaled, glm::dvec3(0, -frames::column.height / 2, 0))
-                   : scaled;
+    glm::dmat4 world_from_model(const Way& way) const {
+        const glm::dmat4 scaled = glm::scale(rotation(way), scaling());
+        return shape() == frames::Shape::column ? glm::translate(scaled, glm::dvec3(0, -frames::column.height / 2, 0))
+                                                : scaled;
     }
 
     void draw_surface(const Frame& frame, const Tile& tile, const Way& way) const {
@@ -124,30 +136,42 @@ private:
         const bool map = normals_from_ == from_map;
         const Program& surface =
             map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
-                                 turn_ != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
+                                 turn() != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
                                  troubles.define(trouble_), order_ == 1 ? "ONE_BY_ONE" : ""})
                 : surface_.with({frame.probe, way.normals, order_ == 1 ? "ONE_BY_ONE" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
-        surface.set("u_world_from_model", world_from_model());
+        surface.set("u_world_from_model", world_from_model(way));
         surface.set("u_scaling", scaling());
-        surface.set("u_rotation", glm::mat3(rotation()));
+        surface.set("u_rotation", glm::mat3(rotation(way)));
         surface.set("u_eye", frame.camera.eye());
         surface.set("u_light", lamp_at(light_yaw_, light_distance_, light_height_));
         surface.set("u_strength", strength_);
-        surface.set("u_turn", glm::radians(turn_));
+        surface.set("u_turn", glm::radians(turn()));
         surface.set("s_normals", 0,
                     map_ == bricks                               ? bricks_
                     : map_ == own                                ? own_texture()
                     : map_ == of_model && own_mesh_.normal_map() ? model_texture()
                                                                  : texel_);
-        const auto shape = frames::Shape(shape_);
-        const GpuMesh& mesh = shape == frames::Shape::sphere   ? sphere_
-                              : shape == frames::Shape::column ? column_
-                              : shape == frames::Shape::wall   ? wall_
-                                                               : own_model();
+        const GpuMesh& mesh = mesh_of(shape());
         glBindVertexArray(mesh.layout());
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    const GpuMesh& mesh_of(frames::Shape shape) const {
+        switch (shape) {
+            case frames::Shape::sphere:
+                return sphere_;
+            case frames::Shape::column:
+                return column_;
+            case frames::Shape::wall:
+                return wall_;
+            case frames::Shape::cube:
+                return cube_;
+            case frames::Shape::own:
+                break;
+        }
+        return own_model();
     }
 
     /// Returns the user's picture as a normal map, whose green points up.
@@ -186,6 +210,7 @@ private:
     mutable Kept<Texture, int> model_texture_;  ///< by the model
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
+    GpuMesh cube_ = upload([] { return make_box(frames::cube); });
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });
     Labels labels_;
 

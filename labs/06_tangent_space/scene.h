@@ -5,7 +5,8 @@
 
 namespace relief::frames {
 
-enum class Shape { sphere, column, wall, own };
+/// The first ones are the choices of the knob `shape`, in its order. The cube is that of a view.
+enum class Shape { sphere, column, wall, own, cube };
 
 // A tile of bricks is as wide as it is high on the column and on the wall, and at the sphere's equator.
 constexpr SphereShape sphere{.radius = 1, .sides = 48, .rows = 24, .repeat = {4, 2}};
@@ -13,6 +14,7 @@ constexpr ColumnShape column{
     .bottom_radius = 0.6f, .top_radius = 0.6f, .height = 1.884956f, .sides = 64, .rows = 1, .repeat = {2, 1}};
 /// Its left half is the mirror image of the right one: u decreases towards the middle, then increases.
 constexpr QuadShape wall{.width = 2, .height = 2, .repeat = {2, 2}};
+constexpr BoxShape cube{.size = {1.3f, 1.3f, 1.3f}};
 constexpr double bricks_depth_in_texels = 24;  // assets/SOURCES.md
 
 /// Returns the wall: two quads, of which the left one has a left-handed frame.

@@ -7,6 +7,7 @@
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/shadow_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "truth.h"
@@ -31,6 +32,7 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const Method method = method_of(i);
             const Frame part = frame_in(frame, tiles[i]);
+            if (shadow_ && has_shadow(frame.probe)) draw_shadow(part, method);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
             if (frame.probe) {
                 draw_surface(part, method, frame.probe);
@@ -62,12 +64,18 @@ public:
         knobs.choice("mip", chosen_.mip, mips, "mip level that a vertex reads");
         knobs.choice("normals", chosen_.normals, normal_names, "source of the normals");
         light_.knobs(knobs);
+        knobs.toggle("shadow", shadow_, "the surface casts a shadow on itself");
+        knobs.slider("shadow_level", shadow_level_, 0, 64,
+                     "segments of each edge in the shadow map; 0: as in the picture");
         surface_.knobs(knobs);
+        knobs.toggle("packed", surface_.material.packed,
+                     "for map = wall and paving: height, gloss and occlusion from one texture");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        return truth_in_tiles(frame, tiles_of_view(frame.size),
-                              [&](const Frame& part, size_t) { return displacement::truth(part, probe, surface_); });
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
+            return displacement::truth(part, probe, surface_, light_.direction<double>());
+        });
     }
 
 private:
@@ -142,15 +150,19 @@ private:
 
     /// Clamps a level so that the whole picture stays within its limit of triangles.
     float bounded(float level) const {
-        const int tiles = int(tiles_of_view({1, 1}).size()), passes = show_ == light ? 1 : 2;
+        const int tiles = int(tiles_of_view({1, 1}).size()), passes = (show_ == light ? 1 : 2) + (shadow_ ? 1 : 0);
         return std::min(level, surface_.most_level(tiles * passes));
     }
 
-    /// Draws the surface. Returns the number of triangles for a picture, and 0 for a probe or lines.
-    int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
-        const Program& program =
-            program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(method.spacing),
-                           fmt::format("NORMALS {}", method.normals), method.mip == by_level ? "MIP" : ""});
+    /// Returns whether a picture, or a probe, reads the shadow map.
+    static bool has_shadow(const Define& purpose) { return purpose.text.empty() || purpose.text == "PROBE_shadow"; }
+
+    /// Puts the surface's program into use, with all uniforms but those of the shadow.
+    const Program& use_program(const Frame& frame, const Method& method, const Define& purpose) {
+        const Program& program = program_.with(
+            {purpose, surface_.corners_define(), DisplacedSurface::spacing_define(method.spacing),
+             fmt::format("NORMALS {}", method.normals), method.mip == by_level ? "MIP" : "",
+             shadow_ && has_shadow(purpose) ? "SHADOW" : "", surface_.material.is_packed() ? "PACKED" : ""});
         glUseProgram(program);
         surface_.set(program, frame);
         if (method.is_flat) program.set("u_scale", 0.0f);
@@ -158,6 +170,25 @@ private:
         program.set("u_inside", bounded(inside_of(method)));
         program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
+        return program;
+    }
+
+    /// Draws the depth map of the surface, then returns to the frame's target.
+    void draw_shadow(const Frame& frame, const Method& method) {
+        Method cast = method;
+        if (shadow_level_ > 0 && !method.is_flat) cast.level = shadow_level_;
+        const auto [low, high] = surface_.box_around();
+        shadow_map_.draw(light_.direction<double>(), low, high, [&](const glm::dmat4& clip_from_model) {
+            use_program(frame, cast, "DEPTH").set("u_clip_from_model", clip_from_model);
+            surface_.draw();
+        });
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+    }
+
+    /// Draws the surface. Returns the number of triangles for a picture, and 0 for a probe or lines.
+    int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
+        const Program& program = use_program(frame, method, purpose);
+        if (shadow_ && has_shadow(purpose)) shadow_map_.set(program, 3);
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
         // Counting waits for the GPU, and only a picture has a caption. The caller of a probe may have a query running.
         int triangles = 0;
@@ -172,12 +203,15 @@ private:
     Programs program_{"common/patch.vert", "13_displacement/patch.tesc", "13_displacement/surface.tese",
                       "13_displacement/surface.frag"};
     DisplacedSurface surface_;
+    ShadowMap shadow_map_;
     Labels labels_;
 
     int view_ = compare, show_ = half;
     Method chosen_{"", 16, 0, by_level, surface, false};
     float inside_ = 0;
     DistantLight light_;
+    bool shadow_ = false;
+    float shadow_level_ = 0;
 };
 
 RELIEF_LAB(Displacement);

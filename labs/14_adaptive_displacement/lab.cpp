@@ -12,6 +12,7 @@
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
+#include "framework/core/kit/shadow_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
@@ -81,10 +82,11 @@ private:
     }
 
     /// Returns the cost of a picture in draws of the surface: one for the triangles of each view, two for their edges,
-    /// and one for the search for holes.
+    /// one for the search for holes, and one for the shadow map.
     int draws_of_picture() const {
         return (settings_.view == Settings::both ? 2 : 1) * (settings_.wire ? 3 : 1) +
-               (settings_.view != Settings::above && settings_.may_crack() ? 1 : 0);
+               (settings_.view != Settings::above && settings_.may_crack() ? 1 : 0) +
+               (settings_.shadow != Settings::no_shadow ? 1 : 0);
     }
 
     void draw_probe(const Probe& probe, const std::vector<View>& views) {
@@ -99,6 +101,7 @@ private:
 
     /// Draws what the eye sees, with its holes. Returns the number of triangles.
     int draw_eye(glm::ivec2 size, const View& view) {
+        if (settings_.shadow != Settings::no_shadow) draw_shadow(view);
         const int triangles = draw_picture(view, "");
         labels_.caption(size, view.tile, 0, fmt::format("{} triangles", triangles));
         if (settings_.may_crack()) mark_holes(size, view);
@@ -133,23 +136,49 @@ private:
         return fmt::format("{} vec3({}, {}, {})", name, color.r, color.g, color.b);
     }
 
-    /// Returns the number of triangles drawn, or 0 for a probe.
-    int draw_surface(const View& view, const Define& purpose) {
+    /// Draws the depth map of the patches, with the levels that they have for the eye, then returns to the frame's
+    /// target.
+    void draw_shadow(const View& view) {
+        const auto [low, high] = surface_.box_around();
+        shadow_map_.draw(settings_.light.direction<double>(), low, high, [&](const glm::dmat4& clip_from_model) {
+            const Program& program = use_program(view, "DEPTH");
+            if (settings_.shadow == Settings::shadow_of_all) stop_culling(program);
+            program.set("u_clip_from_model", clip_from_model);
+            surface_.draw();
+        });
+        glBindFramebuffer(GL_FRAMEBUFFER, view.seen.target);
+    }
+
+    bool has_backs(const Define& purpose) const { return !surface_.is_one_sided() || purpose.text == "PROBE_winding"; }
+
+    /// Puts the surface's program into use, with all uniforms but those of the shadow.
+    const Program& use_program(const View& view, const Define& purpose) {
         const bool is_probe = purpose.text.starts_with("PROBE_");
-        const bool has_backs = !surface_.is_one_sided() || purpose.text == "PROBE_winding";
         const Program& program =
             program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(settings_.spacing),
                            Settings::methods.define(settings_.method), Settings::levels_ofs.define(settings_.levels_of),
                            Settings::mips.define(settings_.mip), settings_.fade ? "FADE" : "",
+                           Settings::shadows.define(purpose.text.empty() ? settings_.shadow : Settings::no_shadow),
                            color_define("OUTSIDE_COLOR", outside_color), color_define("AWAY_COLOR", away_color),
                            color_define("FADED_COLOR", faded_color)});
         glUseProgram(program);
         surface_.set(program, view.seen);
         set_colors(program, view.seen);
-        set_culling(program, view, !has_backs);
         set_levels(program, view.eye);
+        set_culling(program, view, !has_backs(purpose));
+        if (settings_.shadow == Settings::shadow_of_all)
+            stop_culling(program);  // the shadow map is within the bound, too
         bound_levels(program, is_probe ? 1 : draws_of_picture());
-        if (!has_backs) glEnable(GL_CULL_FACE);
+        set_culling(program, view, !has_backs(purpose));
+        return program;
+    }
+
+    /// Draws the surface. Returns the number of triangles drawn, or 0 for a probe.
+    int draw_surface(const View& view, const Define& purpose) {
+        const bool is_probe = purpose.text.starts_with("PROBE_");
+        const Program& program = use_program(view, purpose);
+        if (settings_.shadow != Settings::no_shadow && purpose.text.empty()) shadow_map_.set(program, 4);
+        if (!has_backs(purpose)) glEnable(GL_CULL_FACE);
         // A probe has no caption for the count. Its caller may have a query of its own running.
         const int triangles = is_probe ? (surface_.draw(), 0) : surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
@@ -167,6 +196,11 @@ private:
         program.set("u_culls_outside", settings_.cull != Settings::cull_none);
         program.set("u_culls_backs", settings_.cull == Settings::cull_all && with_backs);
         program.set("u_show_culled", view.eye.camera.eye() != view.seen.camera.eye());
+    }
+
+    static void stop_culling(const Program& program) {
+        program.set("u_culls_outside", false);
+        program.set("u_culls_backs", false);
     }
 
     void set_levels(const Program& program, const Frame& eye) {
@@ -239,6 +273,7 @@ private:
     Settings settings_;
     DisplacedSurface surface_;
     PatchTexture known_;
+    ShadowMap shadow_map_;
     Labels labels_;
 
     float most_level_ = 0;  ///< maximum level in this draw

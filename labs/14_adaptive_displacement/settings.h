@@ -24,8 +24,12 @@ struct Settings {
     static constexpr auto mips = choices<Mip>({{mip_base, "base"}, {mip_of_patch, "patch", "MIP_OF_PATCH"}});
     enum Cull { cull_none, cull_outside, cull_all };
     static constexpr auto culls = choices<Cull>({{cull_none, "none"}, {cull_outside, "outside"}, {cull_all, "all"}});
+    enum Shadow { no_shadow, shadow_of_all, shadow_of_drawn };
+    static constexpr auto shadows =
+        choices<Shadow>({{no_shadow, "none"}, {shadow_of_all, "all", "SHADOW"}, {shadow_of_drawn, "drawn", "SHADOW"}});
 
-    int view = both, method = by_error, levels_of = edges, spacing = 1, mip = mip_base, cull = cull_all;
+    int view = both, method = by_error, levels_of = edges, spacing = 1, mip = mip_base, cull = cull_all,
+        shadow = no_shadow;
     float level = 8, nearest = 1, farthest = 16, finest = 5, coarsest = 0, segment = 8, budget = 4;
     bool fade = false, wire = false;
     float fade_begin = 6, fade_end = 12;
@@ -67,6 +71,8 @@ struct Settings {
         knobs.slider("fade_begin", fade_begin, 0, 64, "where the fade begins, metres from the eye");
         knobs.slider("fade_end", fade_end, 0, 64, "where the fade ends, metres from the eye");
         light.knobs(knobs);
+        knobs.choice("shadow", shadow, shadows.names,
+                     "patches that cast a shadow on the surface: none, all, or only those that are not culled");
     }
 };
 

@@ -31,7 +31,9 @@ vec3 unit_or(vec3 v, vec3 otherwise) {
 
 vec3 surface_normal() {
     vec3 normal = normalize(v_normal);
-#ifdef MODEL_MATRIX
+#ifdef MODEL_SPACE
+    vec3 world = normal;
+#elif defined MODEL_MATRIX
     vec3 world = mat3(u_world_from_model) * normal;
 #elif defined ONE_BY_ONE
     mat3 scaling = mat3(u_scaling.x, 0.0, 0.0, 0.0, u_scaling.y, 0.0, 0.0, 0.0, u_scaling.z);
@@ -53,7 +55,11 @@ vec2 map_uv() {
 
 //(frame
 mat3 frame_here(vec3 normal) {
+#ifdef MODEL_SPACE
+    mat3 m = mat3(1.0);
+#else
     mat3 m = mat3(u_world_from_model);
+#endif
     vec3 tangent = v_tangent.xyz;
 #if defined TURNED && !defined TANGENT_STAYS
     tangent = turned_tangent(tangent, v_tangent.w * cross(v_normal, tangent), u_turn);

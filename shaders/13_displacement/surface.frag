@@ -32,6 +32,11 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
+#ifdef SHADOW
+uniform mat4 u_map_from_model;  // place in the shadow map, and depth
+uniform sampler2DShadow s_shadow;
+#endif
+
 layout(location = 0) out vec4 o_color;
 
 vec3 surface_normal() {
@@ -57,6 +62,15 @@ vec3 surface_normal() {
 #endif
 }
 
+// Returns the share of the light that no other part of the surface hides.
+float lit_share() {
+#ifdef SHADOW
+    return texture(s_shadow, (u_map_from_model * vec4(v_position, 1.0)).xyz);
+#else
+    return 1.0;
+#endif
+}
+
 void main() {
     vec3 normal = surface_normal(), to_eye = normalize(u_eye - v_position);
     is_unfinished = is_unfinished || v_unfinished > 0.0;
@@ -73,14 +87,25 @@ void main() {
     o_color = probed(vec4(height_slope(s_heights, v_uv, level, vec2(textureSize(s_heights, 0))), 0.0, 0.0));
 #elif defined PROBE_winding
     o_color = probed(vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0));
+#elif defined PROBE_shadow
+    o_color = probed(vec4(lit_share(), 0.0, 0.0, 0.0));
+#elif defined DEPTH
+    o_color = vec4(0.0);  // there is no colour in a shadow map
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #else
     if (!gl_FrontFacing) normal = -normal;
+#ifdef PACKED
+    vec3 maps = texture(s_heights, v_uv).rgb;  // height, gloss, occlusion
+    float open = maps.b, specular = 0.3 * maps.g, shininess = mix(4.0, 80.0, maps.g);
+#else
     float open = mix(0.45, 1.0, textureLod(s_heights, v_uv, 0.0).r);  // the depths see less of the sky
+    float specular = 0.03, shininess = 24.0;
+#endif
     vec3 albedo = texture(s_albedo, v_uv).rgb;
     vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * normal.y);
-    light += vec3(1.7, 1.56, 1.36) * blinn_phong(albedo, 0.03, 24.0, normal, u_to_light, to_eye);
+    light += lit_share() * vec3(1.7, 1.56, 1.36) *
+             blinn_phong(albedo, specular, shininess, normal, u_to_light, to_eye);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -26,7 +26,21 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
+#ifdef SHADOW
+uniform mat4 u_map_from_model;  // place in the shadow map, and depth
+uniform sampler2DShadow s_shadow;
+#endif
+
 layout(location = 0) out vec4 o_color;
+
+// Returns the share of the light that no other part of the surface hides.
+float lit_share() {
+#ifdef SHADOW
+    return texture(s_shadow, (u_map_from_model * vec4(v_position, 1.0)).xyz);
+#else
+    return 1.0;
+#endif
+}
 
 vec3 lit(vec3 albedo) {
     vec3 normal = normalize(v_normal), bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
@@ -36,7 +50,7 @@ vec3 lit(vec3 albedo) {
     if (!gl_FrontFacing) bumped = -bumped;
     float open = mix(0.45, 1.0, textureLod(s_heights, v_uv, 0.0).r);  // the depths see less of the sky
     vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * bumped.y);
-    return light + vec3(1.7, 1.56, 1.36) *
+    return light + lit_share() * vec3(1.7, 1.56, 1.36) *
                        blinn_phong(albedo, 0.03, 24.0, bumped, u_to_light, normalize(u_seen_from - v_position));
 }
 
@@ -52,6 +66,8 @@ void main() {
     o_color = probed(vec4(v_left, 0.0, 0.0, 0.0));
 #elif defined PROBE_winding
     o_color = probed(vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0));
+#elif defined DEPTH
+    o_color = vec4(0.0);  // there is no colour in a shadow map
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #elif defined PATCHES

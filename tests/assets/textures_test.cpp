@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "assets/garden.h"
+#include "assets/staff/rope.h"
 #include "assets/urn.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
+#include "framework/core/mesh/gltf.h"
 
 namespace relief {
 namespace {
@@ -63,6 +65,20 @@ TEST(Garden, IsMadeAsItLiesInTheRepository) {
 }
 
 TEST(Quilt, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("quilt"); }
+
+TEST(Rope, IsMadeAsItLiesInTheRepository) {
+    const std::filesystem::path folder = course_root() / "assets";
+    const Mesh made = make_coarse_rope(), kept = read_gltf(folder / "rope.gltf").mesh;
+    EXPECT_EQ(made.indices, kept.indices);
+    ASSERT_EQ(made.vertices.size(), kept.vertices.size());
+    for (size_t i = 0; i < made.vertices.size(); ++i) {  // another C library rounds sines differently
+        EXPECT_LT(glm::distance(made.vertices[i].position, kept.vertices[i].position), 1e-6f);
+        EXPECT_LT(glm::distance(made.vertices[i].normal, kept.vertices[i].normal), 1e-6f);
+        EXPECT_LT(glm::distance(made.vertices[i].tangent, kept.vertices[i].tangent), 1e-5f);
+        EXPECT_LT(glm::distance(made.vertices[i].uv, kept.vertices[i].uv), 1e-6f);
+    }
+    expect_made_as_kept("rope");
+}
 
 TEST(Marble, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("marble"); }
 

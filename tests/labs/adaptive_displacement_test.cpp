@@ -467,5 +467,25 @@ TEST(AdaptiveDisplacement, AMipLevelByPatchChangesTheSurfaceOnlyAtCoarseLevels) 
     EXPECT_EQ(moved("64"), 0);   // 256 texels, 4 patches: a texel a segment
 }
 
+/// The number of pixels of a picture in the evening that a kind of shadow changes from the other.
+size_t changed_by_shadows(const char* cull, const char* first, const char* second, const char* depth = "0.1") {
+    const auto drawn_with = [&](const char* shadow) {
+        Shot shot =
+            eye({{"cull", cull}, {"shadow", shadow}, {"depth", depth}, {"light_yaw", "-30"}, {"light_pitch", "8"}}, "",
+                {192, 128});
+        shot.camera = {.yaw = 25, .pitch = 12, .distance = 2, .target = {0, 0, 0}, .field_of_view = 25};
+        return drawn("14", shot);
+    };
+    return difference(drawn_with(first), drawn_with(second), 8.0 / 255).pixels_over;
+}
+
+TEST(AdaptiveDisplacement, CulledPatchesCastAShadowUnlessOnlyDrawnOnesDo) {
+    EXPECT_GT(changed_by_shadows("all", "none", "all"), 1000u);
+    EXPECT_GT(changed_by_shadows("all", "all", "drawn"), 200u);
+    EXPECT_EQ(changed_by_shadows("none", "all", "drawn"), 0u) << "nothing is culled";
+}
+
+TEST(AdaptiveDisplacement, AFlatGroundCastsNoShadow) { EXPECT_EQ(changed_by_shadows("all", "none", "all", "0"), 0u); }
+
 }  // namespace
 }  // namespace relief

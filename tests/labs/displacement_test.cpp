@@ -69,6 +69,38 @@ TEST(Displacement, DrawsTheSameWallFromBehindAndAtItsEdge) {
     }
 }
 
+/// The share of the wall's pixels whose shadow is wrong, at a level of the picture and of the shadow map.
+double wrong_shadows(const char* level, const char* shadow_level, const char* shadow = "on") {
+    Shot shot = one(with(smooth_wall, {{"level", level},
+                                       {"shadow", shadow},
+                                       {"shadow_level", shadow_level},
+                                       {"light_yaw", "-75"},
+                                       {"light_pitch", "10"}}),
+                    "shadow", {128, 128});
+    shot.camera = before_the_wall;
+    return error_of("13", shot).mean;
+}
+
+TEST(Displacement, ShadowsApproachTheExactOnesWithTheLevel) {
+    const double coarse = wrong_shadows("8", "0"), middle = wrong_shadows("16", "0"), fine = wrong_shadows("32", "0");
+    EXPECT_LT(middle, 0.7 * coarse);
+    EXPECT_LT(fine, 0.7 * middle);
+    EXPECT_LT(fine, 0.045) << "texels, and the offset against false shadows";
+}
+
+TEST(Displacement, AShadowMapOfFewerTrianglesThanThePictureIsWorseThanNone) {
+    EXPECT_GT(wrong_shadows("64", "8"), 2 * wrong_shadows("64", "0", "off"));
+}
+
+TEST(Displacement, IsMovedByTheHeightOfThePackedMap) {
+    for (const char* map : {"wall", "paving"}) {
+        Shot shot =
+            one(with(smooth_wall, {{"map", map}, {"packed", "on"}, {"level", "64"}, {"patches", "8"}}), "depth");
+        shot.camera = before_the_wall;
+        EXPECT_LT(error_of("13", shot).mean, 0.002) << map;
+    }
+}
+
 TEST(Displacement, FractionalSpacingsMoveWithTheLevelAndEqualOnesJump) {
     std::vector<double> largest;
     for (const char* spacing : spacings) {

@@ -48,6 +48,40 @@ TEST(TangentSpace, AFlatMapEqualsNoMap) {
     expect_same_picture(drawn("01", shot_of("01", {{"method", "normal-map"}, {"strength", "0"}})), vertices, 1, 8);
 }
 
+// The cube covers the same pixels before and after a turn by 90 degrees about the vertical.
+TEST(TangentSpace, NormalsLeftInTheModelsSpaceAreThoseOfAnotherSideOfATurnedCube) {
+    constexpr int side = 96;
+    const Shot shot = shot_of("06", {{"view", "turned"}, {"strength", "0"}}, "normal", {3 * side, side});
+    const Image normals = drawn("06", shot);
+    int sides = 0, tops = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const auto normal = [&](int tile) {
+                const float* const value = normals.pixel(tile * side + x, y);
+                return glm::vec3(value[0], value[1], value[2]);
+            };
+            const glm::vec3 made = normal(0), turned = normal(1), left = normal(2);
+            if (made.x == no_surface) continue;
+            EXPECT_LT(glm::distance(made, turned), 1e-5f);
+            const bool is_top = std::abs(turned.y) > 0.5f;
+            EXPECT_NEAR(glm::dot(turned, left), is_top ? 1 : 0, 1e-5);
+            ++(is_top ? tops : sides);
+        }
+    EXPECT_GT(sides, 1000);
+    EXPECT_GT(tops, 100);
+}
+
+TEST(TangentSpace, TheMapOfATurnedCubeHasTheExactNormals) {
+    Shot shot = shot_of("06", {{"view", "turned"}}, "normal", {288, 96});
+    shot.camera = {.yaw = 20, .pitch = 10, .distance = 0.3, .target = {0.1, 0, 0.65}};
+    const auto lab = make_lab(find_lab("06"), shot);
+    Image normals = render_shot(*lab, shot), exact = *find_truth(*lab, shot);
+    for (Image* image : {&normals, &exact})  // the third cube is wrong
+        for (int y = 0; y < 96; ++y) std::fill_n(image->pixel(192, y), size_t(4 * 96), no_surface);
+    EXPECT_LT(summarize(error_image(normals, exact, ErrorMetric::angle)).mean, 3)
+        << "8 bits, and filtering; a wrong side costs 20";
+}
+
 TEST(TangentSpace, TurningModelLightAndCameraTogetherChangesNothing) {
     Orbit camera = load_manifest(find_lab("06")).camera;
     const Image before = picture({{"light_yaw", "-40"}}, &camera);

@@ -45,6 +45,14 @@ bool open_staff_library() {
     return is_open;
 }
 
+bool opens_own_modules() {
+#ifdef RELIEF_LINKED_MODULE
+    return false;
+#else
+    return true;
+#endif
+}
+
 Module open_own_module(const char* name, const char* package) {
 #ifdef RELIEF_LINKED_MODULE
     if (std::string_view(name) == RELIEF_LINKED_MODULE) {
@@ -52,6 +60,8 @@ Module open_own_module(const char* name, const char* package) {
         return Module(this_program, package);
     }
 #endif
+    if (!opens_own_modules())
+        throw Error(fmt::format("this program has no {}: build the course on Linux, which has it", name));
     const std::string path = (framework_folder() / name).string();
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))

@@ -30,6 +30,10 @@ private:
 /// Returns the folder of the framework's library, which also holds other files that the build made.
 const std::filesystem::path& framework_folder();
 
+/// Returns whether this program opens modules of this project. A program that is linked as a whole, as for Windows and
+/// for a browser, has the window at most.
+bool opens_own_modules();
+
 /// Opens a module of this project from the folder of the framework's library. Throws Error when it is missing or cannot
 /// be opened.
 Module open_own_module(const char* name, const char* package);

@@ -9,15 +9,16 @@
 
 namespace relief {
 
-DepthTarget::DepthTarget(glm::ivec2 size) : size_(size) {
+DepthTarget::DepthTarget(glm::ivec2 size, Lookup lookup) : size_(size) {
+    const GLint filter = lookup == Lookup::linear ? GL_LINEAR : GL_NEAREST;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     label(GL_FRAMEBUFFER, framebuffer_, "depth map");
     glBindTexture(GL_TEXTURE_2D, depth_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size.x, size.y, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     constexpr float far[] = {1, 1, 1, 1};
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, far);

@@ -143,6 +143,9 @@ Image decode_image(const std::string& bytes, Notes* notes) {
     std::optional<Image> image;
     if (format == "png"sv) image = decode_png(bytes, found);
     if (format == "openexr"sv) image = decode_plain_exr(bytes, found);
+    if (!image && !opens_own_modules())
+        throw Error(format == "jpeg"sv ? "this program reads no JPEG: save the picture as PNG"
+                                       : "this program reads no OpenEXR of this kind: save the picture as PNG");
     if (!image) image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);
     return *std::move(image);

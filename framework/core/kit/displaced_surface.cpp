@@ -95,6 +95,15 @@ const DisplacedSurface::Made& DisplacedSurface::made() const {
     });
 }
 
+std::pair<glm::dvec3, glm::dvec3> DisplacedSurface::box_around() const {
+    glm::dvec3 low(INFINITY), high(-INFINITY);
+    for (const PatchCorner& corner : patches().points) {
+        const glm::dvec3 position(corner.vertex.position);
+        low = glm::min(low, position), high = glm::max(high, position);
+    }
+    return {low - double(scale()), high + double(scale())};
+}
+
 void DisplacedSurface::set(const Program& program, const Frame& frame) const {
     // Multiply in double precision: far from the world's origin, a float cannot resolve millimetres.
     program.set("u_clip_from_model", frame.camera.clip_from_world() * glm::translate(glm::dmat4(1), origin));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "framework/core/gl/patches.h"
 #include "framework/core/kit/kept.h"
@@ -34,6 +35,10 @@ public:
     glm::vec2 tiles() const;
     /// Returns the depth of the relief in metres.
     float scale() const { return depth * tile(); }
+
+    /// Returns two corners of a box, parallel to the axes, that holds the displaced surface, in the model's
+    /// coordinates.
+    std::pair<glm::dvec3, glm::dvec3> box_around() const;
 
     /// Returns whether back faces are never visible from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }

@@ -7,7 +7,6 @@
 #include "framework/core/base/error.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/own_picture.h"
-#include "framework/core/mesh/gltf.h"
 #include "framework/core/mesh/shapes.h"
 #include "framework/core/mesh/uv_tangents.h"
 

@@ -5,6 +5,7 @@
 
 #include "framework/core/base/own_file.h"
 #include "framework/core/image/image.h"
+#include "framework/core/mesh/gltf.h"
 #include "framework/core/mesh/mesh.h"
 #include "framework/core/mesh/obj.h"
 
@@ -43,7 +44,7 @@ public:
     /// `radius` of the lab's view, metres: see prepared_model().
     explicit OwnMesh(double radius) : radius_(radius) {}
 
-    const char* kind() const override { return "an OBJ or glTF file"; }
+    const char* kind() const override { return reads_gltf() ? "an OBJ or glTF file" : "an OBJ file"; }
     bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
     /// Returns the prepared model. Empty until a file has been read. Its tangents are of use if has_tangents().
     const Mesh& mesh() const { return mesh_; }

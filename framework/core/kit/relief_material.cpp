@@ -115,13 +115,17 @@ void ReliefMaterial::knobs(Knobs& knobs) {
 bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }
 
 const ReliefMaterial::Made& ReliefMaterial::made() const {
-    return made_.get({map, size, bits, own_.version()}, [this] { return make(); });
+    return made_.get({map, size, bits, is_packed(), own_.version()}, [this] { return make(); });
 }
 
 ReliefMaterial::Made ReliefMaterial::make() const {
     Image image, full;
     const char* const height_asset = map == ReliefMap::wall ? "bricks_height.png" : "paving_height.png";
-    if (is_asset()) {
+    const char* const packed_asset = map == ReliefMap::wall ? "bricks_packed.png" : "paving_packed.png";
+    if (is_packed()) {
+        full = read_asset(height_asset);
+        image = channels_of(read_asset(packed_asset), 1, 1);
+    } else if (is_asset()) {
         image = read_asset(height_asset);
         if (image.width > asset_texels || bits == 1) full = image;
         if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
@@ -133,13 +137,20 @@ ReliefMaterial::Made ReliefMaterial::make() const {
     }
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
+    const auto heights_first = [packed_asset] {
+        Image three = read_asset(packed_asset);
+        for (size_t i = 0; i < three.pixel_count(); ++i) std::swap(three.values[i * 3], three.values[i * 3 + 1]);
+        return three;
+    };
     const bool is_whole = is_asset() && full.values.empty();  // its integers are valid already
-    return {
-        std::move(image), std::move(full),
-        is_whole ? load_texture(height_asset, ColorSpace::linear) : Texture("heights", [this] { return heights(); }),
-        is_asset() ? load_texture(map == ReliefMap::wall ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
-                   : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
-        Texture("normals", [this] { return normals(); })};
+    return {std::move(image), std::move(full),
+            is_packed() ? Texture("packed map", heights_first)
+            : is_whole  ? load_texture(height_asset, ColorSpace::linear)
+                        : Texture("heights", [this] { return heights(); }),
+            is_asset()
+                ? load_texture(map == ReliefMap::wall ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
+                : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
+            Texture("normals", [this] { return normals(); })};
 }
 
 Image ReliefMaterial::albedo() const {

@@ -45,6 +45,10 @@ public:
     // The knobs. A lab may set other defaults.
     int map = ReliefMap::wall, size = texels_512, bits = 0, colors = colors_of_map;
     int asset_texels = 1024;  ///< not a knob: maximum size of the wall's and the paving's heights
+    /// Not one of knobs(): the wall's and the paving's heights are those of their packed maps. Then s_heights has the
+    /// height in red, the gloss in green and the occlusion in blue.
+    bool packed = false;
+    bool is_packed() const { return packed && is_asset(); }
 
 private:
     bool is_asset() const;
@@ -59,9 +63,10 @@ private:
     Made make() const;
     /// One channel of heights, or four: a normal map with heights in the fourth.
     OwnPicture own_;
-    OwnPicture own_colors_;                        ///< as sRGB stores them
-    mutable Kept<Texture, int> own_albedo_;        ///< by the version of the picture
-    mutable Kept<Made, int, int, int, int> made_;  ///< inputs: map, size, bits and version of the picture
+    OwnPicture own_colors_;                  ///< as sRGB stores them
+    mutable Kept<Texture, int> own_albedo_;  ///< by the version of the picture
+    /// Inputs: map, size, bits, is_packed() and version of the picture.
+    mutable Kept<Made, int, int, int, bool, int> made_;
 };
 
 }  // namespace relief

@@ -8,7 +8,11 @@
 
 namespace relief {
 
+bool reads_gltf() { return opens_own_modules(); }
+
 GltfModel read_gltf(const std::filesystem::path& file, const ObjLimits& limits) {
+    if (!reads_gltf())
+        throw Error({file}, "this program reads no glTF: export the model as OBJ, or build the course on Linux");
     const std::string bytes = read_file(file, limits.bytes);
     static const Module module = open_own_module("relief-tinygltf.so", "libtinygltf-dev");
     try {

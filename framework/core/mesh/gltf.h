@@ -31,6 +31,9 @@ struct GltfModel {
 /// that it needs, is missing, damaged or beyond `limits`, or has no triangles.
 GltfModel read_gltf(const std::filesystem::path& file, const ObjLimits& limits = {});
 
+/// Returns whether this program reads glTF: one for Windows or for a browser does not.
+bool reads_gltf();
+
 /// Returns whether a file's name ends in .gltf or .glb, in any case.
 bool is_named_as_gltf(const std::filesystem::path& file);
 

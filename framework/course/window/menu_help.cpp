@@ -1,7 +1,10 @@
 #include "framework/course/window/menu_help.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "framework/core/mesh/gltf.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
@@ -74,9 +77,10 @@ void draw_help(const Box& picture, float scale, bool& open) {
     draw_lines("Settings", settings, keys_width);
     draw_lines("Pictures and values", looks, keys_width);
     draw_lines("Labs and the window", places, keys_width);
-    quiet_text(
+    quiet_text(fmt::format(
         "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
-        "the lab's map, and an OBJ or glTF file its shape.");
+        "the lab's map, and an OBJ {}file its shape.",
+        reads_gltf() ? "or glTF " : ""));
     if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
     ImGui::End();
 }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
+#include "framework/staff/reference/gltf_files.h"
 #include "framework/staff/synctest/cube.h"
 
 namespace relief::synctest {
@@ -52,11 +52,6 @@ pixel. A renderer of the same rule shows faces that are flat to 0.3 degrees. Wit
                        rounded(eye.x, 5), rounded(eye.y, 5), rounded(eye.z, 5), synctest_camera.field_of_view);
 }
 
-template <class Value>
-void append(std::string& bytes, const Value& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 }  // namespace
 
 std::string synctest_obj(const Mesh& mesh, const std::string& material_file) {
@@ -74,61 +69,10 @@ std::string synctest_obj(const Mesh& mesh, const std::string& material_file) {
     return text;
 }
 
-GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const std::string& map_file) {
-    using nlohmann::json;
-    GltfFiles files;
-    json views = json::array(), accessors = json::array();
-    const size_t count = mesh.vertices.size();
-    const auto add = [&](const char* type, size_t items, int component, int target, const auto& write) {
-        const size_t begin = files.buffer.size();
-        write(files.buffer);
-        views.push_back(
-            {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", files.buffer.size() - begin}, {"target", target}});
-        accessors.push_back(
-            {{"bufferView", views.size() - 1}, {"componentType", component}, {"count", items}, {"type", type}});
-    };
-    constexpr int floats = 5126, shorts = 5123, vertices = 34962, indices = 34963;  // numeric values of GL's enums
-    const auto each = [&](const auto& value) {
-        return [&, value](std::string& bytes) {
-            for (const Vertex& vertex : mesh.vertices) append(bytes, value(vertex));
-        };
-    };
-    add("VEC3", count, floats, vertices, each([](const Vertex& vertex) { return vertex.position; }));
-    accessors.back()["min"] = {-0.5, -0.5, -0.5};
-    accessors.back()["max"] = {0.5, 0.5, 0.5};
-    add("VEC3", count, floats, vertices, each([](const Vertex& vertex) { return vertex.normal; }));
-    add("VEC4", count, floats, vertices, each([](const Vertex& vertex) { return vertex.tangent; }));
-    // glTF's v grows down; its tangents keep their sign.
-    add("VEC2", count, floats, vertices,
-        each([](const Vertex& vertex) { return glm::vec2(vertex.uv.x, 1 - vertex.uv.y); }));
-    add("SCALAR", mesh.indices.size(), shorts, indices, [&](std::string& bytes) {
-        for (const uint32_t index : mesh.indices) append(bytes, uint16_t(index));
-    });
-    const json attributes = {{"POSITION", 0}, {"NORMAL", 1}, {"TANGENT", 2}, {"TEXCOORD_0", 3}};
-    const json material = {{"name", "flat"},
-                           {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.5}}},
-                           {"normalTexture", {{"index", 0}}}};
-    const json primitive = {{"attributes", attributes}, {"indices", 4}, {"material", 0}};
-    const json all = {{"asset", {{"version", "2.0"}, {"generator", "relief synctest"}}},
-                      {"scene", 0},
-                      {"scenes", {{{"nodes", {0}}}}},
-                      {"nodes", {{{"mesh", 0}, {"name", "cube"}}}},
-                      {"meshes", {{{"name", "cube"}, {"primitives", {primitive}}}}},
-                      {"materials", {material}},
-                      {"textures", {{{"source", 0}, {"sampler", 0}}}},
-                      {"samplers", {{{"magFilter", 9729}, {"minFilter", 9729}, {"wrapS", 33071}, {"wrapT", 33071}}}},
-                      {"images", {{{"uri", map_file}}}},
-                      {"buffers", {{{"uri", buffer_file}, {"byteLength", files.buffer.size()}}}},
-                      {"bufferViews", views},
-                      {"accessors", accessors}};
-    files.json = all.dump(1) + "\n";
-    return files;
-}
-
 void write_synctest(const std::filesystem::path& folder) {
     make_folder(folder);
     const Mesh mesh = make_synctest_cube();
-    const GltfFiles gltf = synctest_gltf(mesh, "cube.bin", "cube_normal.png");
+    const GltfFiles gltf = gltf_files(mesh, "cube", "cube_normal.png");
     write_file(folder / "cube.gltf", gltf.json);
     write_file(folder / "cube.bin", gltf.buffer);
     write_file(folder / "cube.obj", synctest_obj(mesh, "cube.mtl"));

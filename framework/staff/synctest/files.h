@@ -11,12 +11,6 @@ namespace relief::synctest {
 /// Returns a Wavefront OBJ with normals and uv, triangle by triangle; its material is in `material_file`.
 std::string synctest_obj(const Mesh& mesh, const std::string& material_file);
 
-/// glTF 2.0: a JSON text, and the content of `buffer_file` with positions, normals, tangents, uv and indices.
-struct GltfFiles {
-    std::string json, buffer;
-};
-GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const std::string& map_file);
-
 /// Writes the cube, the map, the expected picture, and a README.md that explains how to take the picture. Throws Error.
 void write_synctest(const std::filesystem::path& folder);
 

@@ -24,9 +24,27 @@ std::optional<Sight> look_at(const Shape& shape, const Ray& ray) {
     return sight;
 }
 
+/// Returns where a ray enters the cube.
+std::optional<Sight> look_at_cube(const Ray& ray) {
+    const double half = double(cube.size.x) / 2;
+    for (int i = 0; i < 6; ++i) {
+        const CubeFace& face = cube_face(i);
+        const double towards = -glm::dot(ray.direction, face.normal);
+        if (towards <= 0) continue;
+        const double t = (glm::dot(ray.origin, face.normal) - half) / towards;
+        const glm::dvec3 position = ray.origin + t * ray.direction;
+        const glm::dvec2 place(glm::dot(position, face.right), glm::dot(position, face.up));
+        if (t < 0 || std::abs(place.x) > half || std::abs(place.y) > half) continue;
+        const double tile = 2 * half;
+        return Sight{{position, face.normal, tile * face.right, tile * face.up, {}, {}}, place / tile + 0.5};
+    }
+    return {};
+}
+
 std::optional<Sight> look(const Pose& pose, const Ray& ray) {
     if (pose.shape == Shape::sphere) return look_at(sphere, ray);
     if (pose.shape == Shape::column) return look_at(column, ray);
+    if (pose.shape == Shape::cube) return look_at_cube(ray);
     auto sight = look_at(wall, ray);
     if (sight) {
         const double side = sight->point.position.x < 0 ? -1 : 1;

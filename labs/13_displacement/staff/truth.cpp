@@ -81,7 +81,8 @@ private:
     glm::dvec2 texels_;              ///< texels per metre
 };
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const DisplacedSurface& surface) {
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const DisplacedSurface& surface,
+                                  const glm::dvec3& to_light) {
     if (probe.name == "winding") {
         if (!surface.patches().is_closed) return {};
         return Image(frame.size.x, frame.size.y, 4);
@@ -93,6 +94,11 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         const auto seen = wall.look(ray, near_plane(clip_from_world, ray));
         if (!seen) return {};
         if (probe.name == "depth") return glm::dvec4(seen->distance, 0, 0, 0);
+        if (probe.name == "shadow") {
+            // A micrometre back along the view ray there is only air.
+            const glm::dvec3 place = ray.origin + (seen->distance - 1e-6) * ray.direction;
+            return glm::dvec4(wall.look({place, to_light}, 0) ? 0 : 1, 0, 0, 0);
+        }
         if (probe.name == "slope") return glm::dvec4(seen->slope, 0, 0);
         return glm::dvec4(seen->normal, 0);
     });

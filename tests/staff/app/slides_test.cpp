@@ -187,9 +187,9 @@ TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
     }
 }
 
-/// Returns the words of each command `./relief shot ...` in a table of the text, without "./relief shot".
-std::vector<Names> shots_in_tables(const std::string& text) {
-    constexpr std::string_view begin = "`./relief shot ";
+/// Returns the words of each command `./relief COMMAND ...` in a table of the text, without "./relief COMMAND".
+std::vector<Names> commands_in_tables(const std::string& text, const std::string& command) {
+    const std::string begin = "`./relief " + command + " ";
     std::vector<Names> shots;
     for (const std::string& line : split(text, '\n')) {
         const size_t at = line.find(begin);
@@ -200,8 +200,8 @@ std::vector<Names> shots_in_tables(const std::string& text) {
     return shots;
 }
 
-/// Returns the fault of a command: its lab, a knob or a value does not exist, or a knob is ignored. Returns an empty
-/// text for a valid command. Draws nothing.
+/// Returns the fault of a command: its lab, a knob, a value or a file does not exist, or a knob is ignored. Returns an
+/// empty text for a valid command. Draws nothing.
 std::string fault_of_shot(const Names& words) {
     try {
         const LabEntry& entry = find_lab(words.at(0));
@@ -220,16 +220,29 @@ std::string fault_of_shot(const Names& words) {
     }
 }
 
-TEST(Slides, TheTableOfSourcesHasACommandOfEachLabAndNoWrongOne) {
+/// Expects that every command in a table of a file is valid where the course is. Returns their labs.
+std::set<std::string> labs_of_valid_commands(const char* file, const std::string& command) {
+    const std::filesystem::path folder = std::filesystem::current_path();
+    std::filesystem::current_path(course_root());
     std::set<std::string> labs;
-    for (const Names& words : shots_in_tables(read_file(course_root() / "slides/00_relief.md"))) {
-        EXPECT_EQ(fault_of_shot(words), "") << "./relief shot " << join(words, " ");
+    for (const Names& words : commands_in_tables(read_file(file), command)) {
+        EXPECT_EQ(fault_of_shot(words), "") << "./relief " << command << " " << join(words, " ");
         labs.insert(words.at(0));
     }
+    std::filesystem::current_path(folder);
+    return labs;
+}
+
+TEST(Slides, TheTableOfSourcesHasACommandOfEachLabAndNoWrongOne) {
+    const std::set<std::string> labs = labs_of_valid_commands("slides/00_relief.md", "shot");
     for (const LabEntry& lab : registry()) {
         if (lab.number >= 20) continue;  // not one of the course's labs
         EXPECT_TRUE(labs.contains(lab.two_digits())) << lab.folder;
     }
+}
+
+TEST(Slides, TheCommandsInTheGuidesTablesOpenALab) {
+    EXPECT_GE(labs_of_valid_commands("labs/staff/README.md", "run").size(), 7u);
 }
 
 TEST(Slides, ACommandWithAWrongLabKnobOrValueIsAFault) {
