@@ -57,25 +57,21 @@ Fields fields_of(std::span<const PictureWord> drawn) {
     for (PictureWord& word : words) word.text = said(word.text), word.end = said(word.end);
     List boxes, texts;
     Value scale;
-    for (const PictureWord& word : words) switch (word.kind) {
-            case PictureWord::Kind::caption:
-                break;
-            case PictureWord::Kind::box:
-                boxes.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
-                break;
-            case PictureWord::Kind::text:
-                texts.push_back(Fields{{"text", word.text},
-                                       {"style", fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%)",
-                                                             percent(word.place.x), percent(word.place.y),
-                                                             color_of(word.color), -100 * word.anchor)}});
-                break;
-            case PictureWord::Kind::scale: {
-                List ticks;
-                for (int tick = 1; tick < word.parts; ++tick)
-                    ticks.push_back(Fields{{"style", "left:" + percent(float(tick) / float(word.parts))}});
-                scale = Fields{{"low", word.text}, {"high", word.end}, {"ticks", std::move(ticks)}};
-            }
+    for (const PictureWord& word : words) {
+        if (word.kind == PictureWord::Kind::box) {
+            boxes.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
+        } else if (word.kind == PictureWord::Kind::text && !word.text.empty()) {
+            const std::string style = fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%);--high:{:.2f}",
+                                                  percent(word.place.x), percent(word.place.y), color_of(word.color),
+                                                  -100 * word.anchor, 100 * word.size.y);
+            texts.push_back(Fields{{"text", word.text}, {"style", style}});
+        } else if (word.kind == PictureWord::Kind::scale) {
+            List ticks;
+            for (int tick = 1; tick < word.parts; ++tick)
+                ticks.push_back(Fields{{"style", "left:" + percent(float(tick) / float(word.parts))}});
+            scale = Fields{{"low", word.text}, {"high", word.end}, {"ticks", std::move(ticks)}};
         }
+    }
     return {{"tiles", tiles_of_captions(words)}, {"boxes", boxes}, {"texts", texts}, {"scale", scale}};
 }
 
