@@ -41,6 +41,8 @@ Found walk(BakeRay ray, float reach) {
             node = int(low.w);
             continue;
         }
+        //)
+        //(leaf
         int first = int(high.w) / node_radix, last = first + int(high.w) % node_radix;  // none in an inner node
         for (int i = first; i < last; ++i) {
             vec4 hit = triangle_hit(ray.origin, ray.direction, shear, row_texel(s_corners, 3 * i).xyz,

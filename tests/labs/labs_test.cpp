@@ -7,7 +7,9 @@
 #include <functional>
 #include <utility>
 
+#include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
@@ -76,7 +78,12 @@ bool finds_it_in_another_way(const LabEntry& lab, const std::string& knob) {
 TEST_P(EveryLab, HasATitleAGoalAHandoutAndAShaderFolder) {
     EXPECT_FALSE(manifest_.title.empty());
     EXPECT_FALSE(manifest_.learns.empty());
-    EXPECT_TRUE(std::filesystem::exists(course_root() / "labs" / GetParam().folder / "README.md"));
+    const std::filesystem::path handout = course_root() / "labs" / GetParam().folder / "README.md";
+    ASSERT_TRUE(std::filesystem::exists(handout));
+    if (GetParam().number < 20) {  // one of the course's labs
+        const std::string text = read_file(handout), top = text.substr(0, text.find("\n## "));
+        EXPECT_TRUE(contains(top, "**Begin here.** Open the lab with `./relief run " + GetParam().two_digits()));
+    }
     EXPECT_TRUE(std::filesystem::is_directory(course_root() / "shaders" / GetParam().folder));
 }
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "framework/core/lab/shot.h"
-#include "framework/core/lab/words.h"
 
 namespace relief {
 namespace {
@@ -22,12 +21,28 @@ void Labels::quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high
         corners_of_this_draw().push_back(corner);
 }
 
+void Labels::forget_earlier_draws() {
+    if (std::exchange(draw_, draws_begun()) == draws_begun()) return;
+    corners_.clear();
+    words_.clear();
+}
+
 std::vector<Labels::Corner>& Labels::corners_of_this_draw() {
-    if (std::exchange(draw_, draws_begun()) != draws_begun()) corners_.clear();
+    forget_earlier_draws();
     return corners_;
 }
 
-void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) { quad(place, size, {0, -1}, {0, -1}, color); }
+bool Labels::leaves_out(PictureWord word) {
+    if (has_words()) return false;
+    forget_earlier_draws();
+    words_.push_back(std::move(word));
+    return true;
+}
+
+void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) {
+    if (leaves_out({.kind = PictureWord::Kind::box, .place = place, .size = size, .color = color})) return;
+    quad(place, size, {0, -1}, {0, -1}, color);
+}
 
 void Labels::cross(glm::vec2 middle, float reach) {
     for (const auto& [color, thick] :
@@ -41,6 +56,14 @@ void Labels::cross(glm::vec2 middle, float reach) {
 void Labels::heat_scale(glm::vec2 place, glm::vec2 size) { quad(place, size, {0, 2}, {1, 2}, glm::vec4(1)); }
 
 void Labels::text(const std::string& text, glm::vec2 place, float height, Align align, glm::vec3 color) {
+    if (leaves_out({.place = place,
+                    .size = {0, height},
+                    .text = text,
+                    .color = glm::vec4(color, 1),
+                    .anchor = align == Align::left     ? 0.0f
+                              : align == Align::centre ? 0.5f
+                                                       : 1.0f}))
+        return;
     const float letter = height * letter_aspect, whole = width(text, height);
     if (align != Align::left) place.x -= align == Align::centre ? whole / 2 : whole;
     place = glm::round(place);
@@ -55,6 +78,13 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
 }
 
 void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
+    if (leaves_out({.kind = PictureWord::Kind::caption,
+                    .place = {float(tile.corner.x), float(size.y - tile.corner.y - tile.size.y)},
+                    .size = tile.size,
+                    .text = text,
+                    .color = glm::vec4(color, 1),
+                    .line = line}))
+        return;
     // Line spacing does not depend on the text. A long text is drawn smaller.
     const float first = std::min(line_height(size), 0.075f * float(tile.size.y)),
                 high = first * (line == 0 ? 1.0f : 0.8f);
@@ -69,6 +99,13 @@ void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::str
 void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
     const float line = line_height(size) * 0.7f, length = 0.4f * float(size.x);
     const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.1f);
+    if (leaves_out({.kind = PictureWord::Kind::scale,
+                    .place = place,
+                    .size = {length, line * 0.8f},
+                    .text = low,
+                    .end = high,
+                    .parts = ticks}))
+        return;
     heat_scale(place, {length, line * 0.8f});
     text(low, place - glm::vec2(line * 0.6f, 0), line, Align::right);
     text(high, place + glm::vec2(length + line * 0.6f, 0), line);
@@ -77,9 +114,15 @@ void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::strin
 }
 
 void Labels::draw(const Frame& frame) {
-    std::vector<Corner> corners;
-    corners.swap(corners_of_this_draw());
-    if (frame.probe || corners.empty() || !has_words()) return;
+    forget_earlier_draws();
+    const std::vector<Corner> corners = std::exchange(corners_, {});
+    std::vector<PictureWord> words = std::exchange(words_, {});
+    if (frame.probe) return;
+    if (!has_words()) {
+        for (PictureWord& word : words) word.place /= frame.size, word.size /= frame.size;
+        leave_out(std::move(words));
+    }
+    if (corners.empty()) return;
     if (!uploaded_) {
         uploaded_.emplace();
         glBindVertexArray(uploaded_->layout);

@@ -8,6 +8,7 @@
 
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/core/lab/words.h"
 
 namespace relief {
 
@@ -15,12 +16,14 @@ enum class Align { left, centre, right };
 
 /// Collects text and shapes, then draws them over the picture in one draw call. Positions and sizes are in pixels of
 /// the frame, from its upper left corner. Colours are in stored sRGB. Draws nothing on a probe. Drops the labels of a
-/// draw that threw.
+/// draw that threw. While pictures have no words, it collects them for WithoutWords, and draws none.
 class Labels {
 public:
     /// Returns the height of a line of text for a frame of this size: legible, and the same share of any larger
-    /// picture.
-    static float line_height(glm::ivec2 size) { return std::max(11.0f, 0.042f * float(std::min(size.x, size.y))); }
+    /// picture. Words that will be laid over the picture get more room, since their letters do not shrink with it.
+    static float line_height(glm::ivec2 size) {
+        return std::max(11.0f, (has_words() ? 0.042f : 0.06f) * float(std::min(size.x, size.y)));
+    }
     static float width(const std::string& text, float height) { return float(text.size()) * height * letter_aspect; }
 
     /// Adds ASCII text, with a degree sign for `~`, on a dark plate that keeps it legible. `place` is the upper end of
@@ -39,7 +42,9 @@ public:
 
     /// Adds the scale of heat() in the lowest scale_height() pixels of a frame. Its left end is `low`; each tick is ten
     /// times the previous one.
-    static int scale_height(glm::ivec2 size) { return int(std::ceil(line_height(size) * 0.9f)); }
+    static int scale_height(glm::ivec2 size) {
+        return int(std::ceil(0.9f * std::max(11.0f, 0.042f * float(std::min(size.x, size.y)))));
+    }
     void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
 
     /// Draws into the whole of frame.target, and clears the collection.
@@ -56,10 +61,14 @@ private:
         BufferName corners;
     };
     void quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color);
+    void forget_earlier_draws();
     std::vector<Corner>& corners_of_this_draw();
+    /// Returns whether pictures have no words; then it keeps this one, with places and sizes in pixels.
+    bool leaves_out(PictureWord word);
 
     std::vector<Corner> corners_;
-    int64_t draw_ = 0;  ///< draws_begun() of the draw to which corners_ belong
+    std::vector<PictureWord> words_;
+    int64_t draw_ = 0;  ///< draws_begun() of the draw to which corners_ and words_ belong
     std::optional<Uploaded> uploaded_;
     Programs program_{"common/label.vert", "common/label.frag"};
     Texture letters_ = load_texture("labels.png", {.wrap = Wrap::clamp});

@@ -1,15 +1,22 @@
 #include "framework/core/lab/words.h"
 
+#include <iterator>
+
 namespace relief {
 namespace {
 
-int without_words = 0;
+WithoutWords* latest = nullptr;
 
 }  // namespace
 
-WithoutWords::WithoutWords() { ++without_words; }
-WithoutWords::~WithoutWords() { --without_words; }
+WithoutWords::WithoutWords() : outer_(latest) { latest = this; }
+WithoutWords::~WithoutWords() { latest = outer_; }
 
-bool has_words() { return without_words == 0; }
+bool has_words() { return !latest; }
+
+void leave_out(std::vector<PictureWord> words) {
+    latest->words_.insert(latest->words_.end(), std::make_move_iterator(words.begin()),
+                          std::make_move_iterator(words.end()));
+}
 
 }  // namespace relief

@@ -1,17 +1,49 @@
-// Pictures without words, for pages that have the words beside them.
+// Pictures without words, for pages and slides that put the words over their pictures.
 #pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
 
 namespace relief {
 
-/// While one exists, labs draw no text and no scales over their pictures.
+/// Text or a shape that a lab draws over its picture. Places and sizes are shares of the picture's size, from its upper
+/// left corner. Colours are in stored sRGB.
+struct PictureWord {
+    enum class Kind {
+        caption,  ///< a line in the middle of a tile; place and size are the tile's
+        text,     ///< begins, has its middle or ends at place.x, says `anchor`; size.y is its height
+        box,
+        scale  ///< heat colours from `text` on the left to `end` on the right
+    };
+    Kind kind = Kind::text;
+    glm::vec2 place{0}, size{0};
+    std::string text = {}, end = {};
+    glm::vec4 color{1};
+    int line = 0;      ///< of a caption: 0 is the first, -1 the last
+    float anchor = 0;  ///< of a text: 0 left, 0.5 middle, 1 right
+    int parts = 1;     ///< of a scale: each tick is a tenth of the next
+};
+
+/// While one exists, labs draw no text and no scales over their pictures. The latest of them collects these instead.
 class WithoutWords {
 public:
     WithoutWords();
     ~WithoutWords();
     WithoutWords(const WithoutWords&) = delete;
     WithoutWords& operator=(const WithoutWords&) = delete;
+
+    /// Returns the words of all pictures since the construction, in the order in which they were drawn.
+    const std::vector<PictureWord>& words() const { return words_; }
+
+private:
+    friend void leave_out(std::vector<PictureWord> words);
+    std::vector<PictureWord> words_;
+    WithoutWords* outer_;
 };
 
 bool has_words();
+/// Gives words that were not drawn to the latest WithoutWords. There must be one.
+void leave_out(std::vector<PictureWord> words);
 
 }  // namespace relief

@@ -13,14 +13,16 @@
 #include "framework/core/image/visualize.h"
 #include "framework/core/kit/made_map.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/words.h"
 #include "framework/course/app/shot.h"
 #include "framework/course/app/shot_options.h"
+#include "framework/course/pages/picture_words.h"
 
 namespace relief::app {
 namespace {
 
 struct ShotArguments {
-    std::string lab, output, size, time, context = "auto", probe, truth, error, check, mistake;
+    std::string lab, output, size, time, context = "auto", probe, truth, error, check, mistake, words;
     bool map = false;
     ShotOptions options;
 };
@@ -92,6 +94,9 @@ int take_shot(const ShotArguments& arguments) {
     };
 
     const TellMissingTasks told;
+    std::optional<WithoutWords> without_words;
+    if (!arguments.words.empty()) without_words.emplace();
+    std::vector<PictureWord> below;
     Image image;
     std::string summary;
     if (show == Show::truth) {
@@ -114,6 +119,7 @@ int take_shot(const ShotArguments& arguments) {
             const double scale = error.p99 > 0 ? error.p99 : 1;
             mark_one_sided(image, drawn, expected, scale);
             image = visualize_error(image, scale);
+            below.push_back(pages::error_map_scale(amount_of(scale, manifest.probe(shot.probe.name).unit, 2)));
         }
     } else if (show == Show::map) {
         shot.probe = {};
@@ -127,6 +133,11 @@ int take_shot(const ShotArguments& arguments) {
     if (!floats && (show == Show::probe || show == Show::truth))
         image = visualize_probe(image, manifest.probe(shot.probe.name).colors());
 
+    if (without_words) {
+        std::vector<PictureWord> words = without_words->words();
+        words.insert(words.end(), below.begin(), below.end());
+        write_file(arguments.words, pages::picture_words_markup(words));
+    }
     const ColorSpace space = show == Show::map ? ColorSpace::linear : ColorSpace::srgb;
     if (to_standard_output) {
         write_standard_output(encode_image(image, format, {}, space));
@@ -175,6 +186,8 @@ public:
         if (draw_with_mistake)
             options.value("--mistake", "ID", shot_.mistake,
                           "draw with a known mistake: an id from the lab's staff/grading.toml");
+        options.value("--words", "FILE.html", shot_.words,
+                      "leave the words out of the picture, and write them as HTML to be laid over it");
         options.footer([this] { return knobs_and_probes(shot_.lab); });
     }
     int run() override { return take_shot(shot_); }

@@ -12,6 +12,7 @@
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/markdown_page.h"
 #include "framework/course/pages/page.h"
+#include "framework/course/pages/picture_words.h"
 
 namespace relief::pages {
 namespace {
@@ -29,8 +30,9 @@ PagePicture drawing_of(const std::string& svg, const fs::path& file) {
 
 class Handout {
 public:
-    Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs, const PutPicture& put)
-        : lab_(lab), manifest_(manifest), labs_(labs), put_(put), home_(fs::path("labs") / lab.folder) {}
+    Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs, const PutPicture& put,
+            const DrawGolden& draw)
+        : lab_(lab), manifest_(manifest), labs_(labs), put_(put), draw_(draw), home_(fs::path("labs") / lab.folder) {}
 
     List blocks() const {
         const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
@@ -43,7 +45,7 @@ public:
         List contents = chapters_of(text);
         return render({.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
                        .body = "handout",
-                       .styles = {"site", "markdown"},
+                       .styles = {"site", "markdown", "picture_words"},
                        .scripts = {},
                        .pictures = PagePictures::beside},
                       {{"lab", lab_page_file(lab_)},
@@ -80,21 +82,28 @@ private:
             shown = drawing_of(svg, file);
             put_(name, svg);
         } else {
-            const Image image = read_image(course_root() / file);
-            shown = {.width = image.width, .height = image.height, .command = command_of(file)};
-            put_(name, encode_image(image, ImageFormat::png));
+            const GoldenInfo* const golden = golden_of(file);
+            std::optional<WordlessPicture> drawn = golden && draw_ ? draw_(*golden) : std::nullopt;
+            if (!drawn) drawn = WordlessPicture{read_image(course_root() / file), {}};
+            shown = {.width = drawn->image.width,
+                     .height = drawn->image.height,
+                     .command = golden ? command_of(*golden) : "",
+                     .words = picture_words(drawn->words)};
+            put_(name, encode_image(drawn->image, ImageFormat::png));
         }
         shown.file = name;
         return shown;
     }
 
-    /// Returns the command that draws this reference screenshot of the lab; empty for other pictures.
-    std::string command_of(const fs::path& file) const {
-        if (file.parent_path() != home_ / "golden") return {};
+    /// Returns nothing for a picture that is no reference screenshot of the lab.
+    const GoldenInfo* golden_of(const fs::path& file) const {
+        if (file.parent_path() != home_ / "golden") return nullptr;
         const auto golden = std::find_if(manifest_.goldens.begin(), manifest_.goldens.end(),
                                          [&](const GoldenInfo& one) { return one.name == file.stem().string(); });
-        if (golden == manifest_.goldens.end()) return {};
-        return fmt::format("./relief shot {} {}", lab_.two_digits(), shot_text(golden->shot, manifest_.camera));
+        return golden == manifest_.goldens.end() ? nullptr : &*golden;
+    }
+    std::string command_of(const GoldenInfo& golden) const {
+        return fmt::format("./relief shot {} {}", lab_.two_digits(), shot_text(golden.shot, manifest_.camera));
     }
 
     static List chapters_of(const List& blocks) {
@@ -118,6 +127,7 @@ private:
     const Manifest& manifest_;
     std::span<const LabEntry* const> labs_;
     const PutPicture& put_;
+    const DrawGolden& draw_;
     fs::path home_;
 };
 
@@ -127,12 +137,12 @@ std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.ht
 
 List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                     const PutPicture& put) {
-    return Handout(lab, manifest, labs, put).blocks();
+    return Handout(lab, manifest, labs, put, {}).blocks();
 }
 
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
-                         const PutPicture& put) {
-    return Handout(lab, manifest, labs, put).page();
+                         const PutPicture& put, const DrawGolden& draw) {
+    return Handout(lab, manifest, labs, put, draw).page();
 }
 
 }  // namespace relief::pages

@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 
+#include "framework/core/image/image.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/words.h"
 #include "framework/course/pages/template.h"
 
 namespace relief::pages {
@@ -17,13 +19,22 @@ std::string handout_file(const LabEntry& lab);
 /// Takes a picture's name and bytes, to be written beside the page.
 using PutPicture = std::function<void(const std::string& name, const std::string& bytes)>;
 
+/// A reference screenshot without its words.
+struct WordlessPicture {
+    Image image;
+    std::vector<PictureWord> words;
+};
+/// Draws a reference screenshot. Returns nothing if the page should show the stored one.
+using DrawGolden = std::function<std::optional<WordlessPicture>(const GoldenInfo& golden)>;
+
 /// Returns the handout's text, for {{#blocks}}{{> block}}{{/blocks}}, otherwise as for handout_page().
 List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                     const PutPicture& put);
 
 /// Returns the page. `labs` are all labs with a page, in order. `put` writes a file of that name beside the page.
-/// Throws Error for a missing picture and for an invalid formula.
+/// The words of pictures by `draw` are laid over them as text. Throws Error for a missing picture and for an invalid
+/// formula.
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
-                         const PutPicture& put);
+                         const PutPicture& put, const DrawGolden& draw);
 
 }  // namespace relief::pages

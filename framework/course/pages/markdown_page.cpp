@@ -97,7 +97,8 @@ private:
         if (!picture) return {};
         return Fields{{"file", picture->file},     {"width", picture->width},
                       {"height", picture->height}, {"kind", picture->is_drawing ? "drawing" : "picture"},
-                      {"text", span.text},         {"command", picture->command}};
+                      {"text", span.text},         {"command", picture->command},
+                      {"words", picture->words}};
     }
 
     /// Returns lines, each with a label, formulas and notes. Words before a line's first formula are its label.

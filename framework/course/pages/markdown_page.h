@@ -17,6 +17,7 @@ struct PagePicture {
     int width = 0, height = 0;
     bool is_drawing = false;   ///< dark lines, which need a white ground
     std::string command = {};  ///< the command that draws it, or empty
+    Value words = {};          ///< of {{> picture_words}}, to be laid over it, or empty
 };
 
 /// Resolve the targets of links and pictures for the page. Without a result only the words of the link stay.

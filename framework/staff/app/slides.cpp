@@ -75,6 +75,9 @@ struct Drawing {
     std::string asked_by;  ///< deck and line of the first request
 };
 
+/// Returns the file with the words of a picture, to be laid over it.
+fs::path words_of(const fs::path& picture) { return picture.string() + ".html"; }
+
 /// Returns the error, or "" on success.
 std::string draw(const Drawing& drawing, const fs::path& folder) {
     constexpr double patience = 1200;
@@ -87,7 +90,7 @@ std::string draw(const Drawing& drawing, const fs::path& folder) {
         scratch = file.string() + ".bench";
         command.insert(command.end(), {"-o", scratch.string()});
     } else {
-        command.insert(command.end(), {"-o", file.string()});
+        command.insert(command.end(), {"-o", file.string(), "--words", words_of(file).string()});
     }
     const ProcessResult done = run_tool(command, folder, patience);
     const std::string problem = done.succeeded() ? "" : last_words(done);
@@ -99,8 +102,11 @@ std::string draw(const Drawing& drawing, const fs::path& folder) {
         if (problem.empty() && !is_there) return "there is no plot: is gnuplot installed (Debian package gnuplot-nox)?";
     }
     if (!problem.empty()) return problem;
-    for (size_t i = 1; i < drawing.files.size(); ++i)
+    for (size_t i = 1; i < drawing.files.size(); ++i) {
         fs::copy_file(file, drawing.files[i], fs::copy_options::overwrite_existing);
+        if (scratch.empty())
+            fs::copy_file(words_of(file), words_of(drawing.files[i]), fs::copy_options::overwrite_existing);
+    }
     return {};
 }
 
@@ -148,15 +154,26 @@ fs::path folder_for(const SlidesArguments& arguments) {
     return folder;
 }
 
-/// Writes the decks for Marp. Returns the commands that draw their figures, each once.
-std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, bool solutions) {
-    std::vector<Drawing> drawings;
-    std::map<Words, size_t> known;
+struct NamedDeck {
+    std::string name;
+    slides::Deck deck;
+};
+std::vector<NamedDeck> read_decks(const Words& names, bool solutions) {
+    std::vector<NamedDeck> decks;
     for (const std::string& name : names) {
         const fs::path file = source_folder() / (name + ".md");
-        const slides::Deck deck = slides::read_deck(read_file(file), file, name, solutions);
+        decks.push_back({name, slides::read_deck(read_file(file), file, name, solutions)});
+    }
+    return decks;
+}
+
+/// Returns the commands that draw the decks' figures, each once.
+std::vector<Drawing> drawings_of(const std::vector<NamedDeck>& decks, const fs::path& folder) {
+    std::vector<Drawing> drawings;
+    std::map<Words, size_t> known;
+    for (const auto& [name, deck] : decks) {
+        const fs::path file = source_folder() / (name + ".md");
         if (!deck.figures.empty()) make_folder(folder / name);
-        write_file(folder / (name + ".md"), deck.text);
         for (const slides::DeckFigure& figure : deck.figures) {
             const auto [place, is_new] = known.emplace(figure.command, drawings.size());
             if (is_new) drawings.push_back({figure.command, {}, fmt::format("{}:{}", shown(file), figure.line)});
@@ -164,6 +181,20 @@ std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, boo
         }
     }
     return drawings;
+}
+
+/// Writes the decks for Marp, with the words of their pictures, which have been drawn.
+void write_decks(const std::vector<NamedDeck>& decks, const fs::path& folder) {
+    for (const auto& [name, deck] : decks) {
+        std::string text = deck.text;
+        for (const slides::DeckFigure& figure : deck.figures) {
+            const fs::path words = words_of(folder / figure.file);
+            if (!fs::exists(words)) continue;
+            if (figure.has_words) text = slides::with_words(text, figure.file, read_file(words));
+            fs::remove(words);
+        }
+        write_file(folder / (name + ".md"), text);
+    }
 }
 
 /// Returns whether all figures could be drawn. Prints an error for each failure.
@@ -195,10 +226,12 @@ int make_slides(const SlidesArguments& arguments) {
     const Words names = decks_asked_for(arguments.decks);
     marp();  // checks that Marp exists before pictures are drawn
     const fs::path folder = folder_for(arguments);
-    const std::vector<Drawing> drawings = write_decks(names, folder, arguments.solutions);
+    const std::vector<NamedDeck> decks = read_decks(names, arguments.solutions);
+    const std::vector<Drawing> drawings = drawings_of(decks, folder);
     {
         Progress progress(int(drawings.size()) + 1 + !arguments.no_pdf);
         if (!draw_all(drawings, folder, progress)) return 1;
+        write_decks(decks, folder);
         progress.next("slides as HTML");
         convert(names, folder, false);
         if (!arguments.no_pdf) {

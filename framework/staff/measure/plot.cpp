@@ -344,11 +344,11 @@ std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const B
                                       const BenchMachine& machine) {
     const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
     if (scenes.size() == 1) {
-        const glm::ivec2 size = topic.sweeps ? glm::ivec2(560, 520) : glm::ivec2(1000, 436);
+        const glm::ivec2 size = topic.sweeps ? glm::ivec2(740, 536) : glm::ivec2(1136, 430);
         const PanelStyle slide{.size = size,
-                               .title = 19,
-                               .axes = 18,
-                               .names = 18,
+                               .title = 24,
+                               .axes = 24,
+                               .names = 24,
                                .all_names = !topic.sweeps,
                                .direct_names = true,
                                .note = machine.is_quick ? "quick run" : ""};

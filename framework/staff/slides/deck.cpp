@@ -23,6 +23,34 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
+/// Breaks lines of code that are too long for a slide, whose letters would shrink: before a comment, or after a comma,
+/// a parenthesis or another space.
+std::string fitted(const std::string& code) {
+    constexpr size_t longest = 74;
+    std::string result;
+    for (std::string line : split(code, '\n')) {
+        const size_t indent = line.find_first_not_of(' '), comment = line.find("//");
+        const std::string next = std::string(indent == std::string::npos ? 0 : indent, ' ');
+        if (line.size() > longest && comment != std::string::npos && comment > indent) {
+            result += next + line.substr(comment) + '\n';  // a comment at the end goes before its line
+            line.erase(line.find_last_not_of(' ', comment - 1) + 1);
+        }
+        const std::string begin = comment == indent ? next + "// " : next + "    ";
+        while (line.size() > longest) {
+            size_t end = line.rfind(' ', longest);
+            if (const size_t comma = line.rfind(", ", longest - 1);
+                comment != indent && comma != std::string::npos && comma > longest / 2)
+                end = comma + 1;
+            if (end == std::string::npos || end <= begin.size()) break;
+            result += line.substr(0, end) + '\n';
+            line = begin + line.substr(end + 1);
+        }
+        result += line + '\n';
+    }
+    result.pop_back();
+    return result;
+}
+
 class Reader {
 public:
     Reader(const std::string& text, const fs::path& file, std::string name, bool solutions)
@@ -112,8 +140,8 @@ private:
         if (region.has_solution && !hidden)
             fail(fmt::format("{} has a solution in {}: quote it on a slide with <!-- _class: solution -->", words[1],
                              words[2]));
-        deck_.text +=
-            fmt::format("```{}\n{}```\n\n<p class=\"source\">{}</p>\n", words[0], region.text, pages::html(words[1]));
+        deck_.text += fmt::format("```{}\n{}```\n\n<p class=\"source\">{}</p>\n", words[0], fitted(region.text),
+                                  pages::html(words[1]));
     }
 
     void mistakes(const std::vector<std::string>& words, const std::vector<std::string>& ids) {
@@ -157,7 +185,13 @@ private:
         for (auto match = std::sregex_iterator(line.begin(), line.end(), form); match != std::sregex_iterator();
              ++match) {
             result.append(rest, line.begin() + match->position());
-            result += "](" + figure(words_of((*match)[1])) + ")";
+            const std::string file = figure(words_of((*match)[1]));
+            constexpr std::string_view bare = "![bare ";
+            if (const size_t begin = result.rfind("!["); result.compare(begin, bare.size(), bare) == 0) {
+                result.replace(begin, bare.size(), "![");
+                deck_.figures.back().has_words = false;
+            }
+            result += "](" + file + ")";
             rest = line.begin() + match->position() + match->length();
         }
         return result.append(rest, line.end());
@@ -186,6 +220,23 @@ private:
 
 Deck read_deck(const std::string& text, const fs::path& file, const std::string& name, bool solutions) {
     return Reader(text, file, name, solutions).read();
+}
+
+std::string with_words(const std::string& deck, const std::string& file, const std::string& words) {
+    const size_t end = deck.find("](" + file + ")"), begin = deck.rfind("![", end);
+    if (words.empty() || end == std::string::npos) return deck;
+    std::vector<std::string> alt = words_of(deck.substr(begin + 2, end - begin - 2));
+    if (alt.empty() || alt[0] == "bg") return deck;
+    std::string width;
+    if (alt[0].starts_with("w:")) {
+        width = fmt::format(" style=\"width:{}px\"", alt[0].substr(2));
+        alt.erase(alt.begin());
+    }
+    const std::string markup = words.substr(0, words.find_last_not_of('\n') + 1);
+    return deck.substr(0, begin) +
+           fmt::format("<span class=\"worded\"{}><img src=\"{}\" alt=\"{}\">{}</span>", width, file,
+                       pages::html(join(alt, " ")), markup) +
+           deck.substr(end + file.size() + 3);
 }
 
 }  // namespace relief::slides

@@ -4,7 +4,9 @@
 //     ![w:560 A wall by one tap](<shot 10 --set view=one --set method=offset>)
 //     ![Time against error](<bench parallax --quick>)
 //
-// becomes the picture that this command of `relief` draws.
+// becomes the picture that this command of `relief` draws. The words of a picture of a lab are laid over it as text, in
+// letters that a class can read. Pictures of mistakes, and those behind a title (`![bg`), have none, nor
+// does a picture whose alternative text begins with the word `bare`.
 //
 //     ```glsl shaders/10_parallax_offset/surface.frag lookup
 //     ```
@@ -32,6 +34,7 @@ struct DeckFigure {
     std::vector<std::string> command;
     std::string file;  ///< path that the deck expects, relative to the deck
     int line = 0;      ///< line of the deck that requests it
+    bool has_words = true;
 };
 
 struct Deck {
@@ -42,5 +45,9 @@ struct Deck {
 /// Reads a deck. `name` is the folder of its pictures. Throws Error with the deck's file and line if a file, a region,
 /// a lab or a mistake is missing. Also throws if a slide that is not hidden quotes a solution.
 Deck read_deck(const std::string& text, const std::filesystem::path& file, const std::string& name, bool solutions);
+
+/// Returns a deck in which the picture `file` is followed by the markup of its words. Leaves a deck as it is if there
+/// are no words, or if the picture is not an ordinary one.
+std::string with_words(const std::string& deck, const std::string& file, const std::string& words);
 
 }  // namespace relief::slides

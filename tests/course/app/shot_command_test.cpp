@@ -43,6 +43,21 @@ TEST_F(ShotCommand, WritesAPngAndPrintsItsName) {
     EXPECT_EQ(good_shot({}).out, "01_specular_highlights.png\n");
 }
 
+TEST_F(ShotCommand, WritesWordsAsMarkupInsteadOfIntoThePicture) {
+    const auto shot_02 = [&](std::vector<std::string> more) {
+        std::vector<std::string> command = {relief_program(), "shot", "02", "--set", "view=one", "--size", "120x90"};
+        command.insert(command.end(), more.begin(), more.end());
+        const Result result = run(command, {folder_.path(), {}});
+        EXPECT_EQ(result.code, 0) << result.err;
+    };
+    shot_02({"-o", "with.png"});
+    shot_02({"-o", "without.png", "--words", "words.html"});
+    EXPECT_NE(read_image(file("with.png")).values, read_image(file("without.png")).values);
+    EXPECT_TRUE(contains(read_file(file("words.html")), "class=\"tile\"")) << read_file(file("words.html"));
+    shot_02({"-o", "error.png", "--error", "normal", "--words", "scale.html"});
+    EXPECT_TRUE(contains(read_file(file("scale.html")), "degrees and more")) << read_file(file("scale.html"));
+}
+
 TEST_F(ShotCommand, WritesTheMapThatALabMakes) {
     const auto map = [&](std::vector<std::string> more) {
         std::vector<std::string> command = {relief_program(), "shot"};

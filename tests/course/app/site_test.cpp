@@ -275,6 +275,20 @@ TEST_F(Site, AxeFindsNothingOnAPageOfEachKind) {
     }
 }
 
+TEST_F(Site, WordsOfAHandoutsPicturesAreLegibleTextAlsoOnAPhone) {
+    constexpr const char* smallest =
+        "Math.min(...[...document.querySelectorAll('.worded b')].map(word => "
+        "parseFloat(getComputedStyle(word).fontSize)))";
+    for (const int width : {0, 360}) {
+        browser().width(width);
+        open("10_parallax_offset-handout.html");
+        EXPECT_GT(int(browser().eval("document.querySelectorAll('.worded .tile b').length")), 10);
+        EXPECT_GE(double(browser().eval(smallest)), 12) << width;
+        EXPECT_EQ(browser().eval("document.querySelector('.worded').innerText.includes('texel')"), true) << width;
+    }
+    browser().width(0);
+}
+
 TEST_F(Site, DrawingsAreDarkOnADarkScreen) {
     open("10_parallax_offset-handout.html");
     const auto filter = [] {

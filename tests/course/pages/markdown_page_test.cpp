@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "framework/course/pages/picture_words.h"
 #include "tests/support.h"
 
 namespace relief::pages {
@@ -18,6 +19,12 @@ std::string shown(const std::string& markdown) {
                             },
                             .picture = [](const std::string& target) -> std::optional<PagePicture> {
                                 if (target == "one.png") return PagePicture{"pictures/one.png", 4, 3};
+                                if (target == "worded.png")
+                                    return PagePicture{
+                                        .file = "worded.png",
+                                        .width = 4,
+                                        .height = 3,
+                                        .words = picture_words(std::vector{PictureWord{.text = "word"}})};
                                 return {};
                             }};
     const std::string page =
@@ -29,6 +36,13 @@ TEST(MarkdownPage, ListsAreNestedAndClosed) {
     EXPECT_EQ(shown("* a\n* b\n\n  3. c\n  4. d\n\n  after\n\nend"),
               "<ul><li>a</li><li>b<ol start=\"3\"><li>c</li><li>d</li></ol><p>after</p></li></ul><p>end</p>");
     EXPECT_EQ(shown("1. a\n\n* b"), "<ol><li>a</li></ol><ul><li>b</li></ul>");
+}
+
+TEST(MarkdownPage, WordsAreLaidOverAFigure) {
+    const std::string page = shown("![caption](worded.png)");
+    EXPECT_NE(page.find("<span class=\"worded\"><img src=\"worded.png\""), std::string::npos) << page;
+    EXPECT_NE(page.find("word</b></span></span><figcaption>caption"), std::string::npos) << page;
+    EXPECT_EQ(shown("![caption](one.png)").find("worded"), std::string::npos);
 }
 
 TEST(MarkdownPage, TextIsEscapedAndStyled) {

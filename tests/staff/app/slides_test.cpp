@@ -1,5 +1,6 @@
 // The decks of slides: every lab has one. Each command in the table of sources is valid. In a browser every picture
-// loads, every formula is typeset, and no slide overflows its frame. A deck without solutions does not contain any.
+// loads, every formula is typeset, no slide overflows its frame, and no letter has less than 18 pt. A deck without
+// solutions does not contain any.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -64,9 +65,18 @@ constexpr const char* find_problems = R"js((async () => {
       // strip goes to the edges.
       if (['background', 'pseudo'].includes(section.dataset.marpitAdvancedBackground)) continue;
       const frame = section.getBoundingClientRect(), scale = frame.width / 1280;
+      // 24 px are 18 pt on a slide of 13.3 inches. Indices in formulas are smaller.
+      const letters = document.createTreeWalker(section, NodeFilter.SHOW_TEXT);
+      while (letters.nextNode()) {
+        const parent = letters.currentNode.parentElement, text = letters.currentNode.textContent.trim();
+        if (!text || parent.closest('style, mjx-assistive-mml, mjx-container')) continue;
+        const code = parent.closest('pre'), shrunk = code ? code.getBoundingClientRect().width / code.offsetWidth / scale : 1;
+        const size = parseFloat(getComputedStyle(parent).fontSize) * Math.min(1, shrunk);
+        if (size < 23.9) say('letters of ' + Math.round(size) + ' px: ' + text.slice(0, 60));
+      }
       const [sides, bottom] = section.classList.contains('title') ? [0, 0] : [20, 44];
       for (const element of section.querySelectorAll('*')) {
-        if (element.closest('footer, mjx-assistive-mml') || element.closest('mjx-container') !== null && element.localName !== 'svg') continue;
+        if (element.closest('footer, .source, mjx-assistive-mml') || element.closest('mjx-container') !== null && element.localName !== 'svg') continue;
         const box = element.getBoundingClientRect();
         if (box.width === 0 || box.height === 0) continue;
         const over = Math.max(Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top) / scale + sides,
@@ -121,6 +131,9 @@ TEST(Deck, FiguresNameTheCommandsThatDrawThem) {
     EXPECT_EQ(one.figures[1].command, (Names{"bench", "parallax", "--quick"}));
     EXPECT_EQ(one.figures[1].file, "d/02.svg");
     EXPECT_EQ(one.figures[1].line, 4);
+    const slides::Deck bare = deck("![a](<shot 01>) ![bare w:9 b](<shot 02>)\n");
+    EXPECT_TRUE(contains(bare.text, "![a](d/01.png) ![w:9 b](d/02.png)")) << bare.text;
+    EXPECT_TRUE(bare.figures.at(0).has_words && !bare.figures.at(1).has_words);
     EXPECT_EQ(complaint("![x](<shot 10 -o a.png>)"), "d.md:4: a figure has a place of its own: leave -o out");
     EXPECT_EQ(complaint("\n![x](<bench --quick>)"), "d.md:5: a plot is of one topic: bench parallax --quick");
 }
@@ -162,6 +175,31 @@ TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
     EXPECT_TRUE(contains(complaint("```mistakes 99\nx\n```"), "d.md:4: "));
 }
 
+TEST(Deck, BreaksLinesOfCodeThatAreTooLongForASlide) {
+    const std::string text = deck("```glsl shaders/common/light.glsl blinn-phong\n```\n").text;
+    EXPECT_TRUE(contains(text, "float shininess,\n    vec3 normal, vec3 to_light, vec3 to_eye) {")) << text;
+    for (const std::string& name : decks()) {
+        bool is_code = false;
+        for (const std::string& line : split(deck_of(name, true).text, '\n')) {
+            if (line.starts_with("```")) is_code = !is_code;
+            if (is_code) {
+                EXPECT_LE(line.size(), 75u) << name << ": " << line;
+            }
+        }
+    }
+}
+
+TEST(Deck, LaysWordsOverTheirPicture) {
+    const std::string text = "a\n![w:300 x < y](d/01.png) ![](d/02.png) ![bg z](d/03.png)\n";
+    EXPECT_EQ(
+        slides::with_words(text, "d/01.png", "<b>one</b>\n"),
+        "a\n<span class=\"worded\" style=\"width:300px\"><img src=\"d/01.png\" alt=\"x &lt; y\"><b>one</b></span> "
+        "![](d/02.png) ![bg z](d/03.png)\n");
+    EXPECT_EQ(slides::with_words(text, "d/01.png", ""), text);
+    EXPECT_EQ(slides::with_words(text, "d/03.png", "<b>one</b>"), text);
+    EXPECT_EQ(slides::with_words(text, "d/04.png", "<b>one</b>"), text);
+}
+
 TEST(Deck, MovesMeasurementsToTheSpeakersNotes) {
     EXPECT_EQ(deck("0.17\n\n```measured\n0.17  mean  shot 02\n```\n").text,
               "---\nmarp: true\n---\n0.17\n\n<!-- Measured by relief\n0.17  mean  shot 02\n-->\n\n");
@@ -187,17 +225,105 @@ TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
     }
 }
 
-/// Returns the words of each command `./relief COMMAND ...` in a table of the text, without "./relief COMMAND".
-std::vector<Names> commands_in_tables(const std::string& text, const std::string& command) {
-    const std::string begin = "`./relief " + command + " ";
+TEST(Slides, EveryDeckEndsWithThreeQuestionsWhoseAnswersAreInTheNotes) {
+    for (const std::string& name : decks()) {
+        const std::string text = deck_of(name, true).text, last = text.substr(text.rfind("\n---\n"));
+        EXPECT_TRUE(contains(last, "_class: questions")) << name;
+        int questions = 0;
+        for (const std::string& line : split(last, '\n'))
+            if (line.size() > 3 && std::isdigit(line[0]) && line[1] == '.') {
+                ++questions;
+                EXPECT_TRUE(line.ends_with('?')) << name << ": " << line;
+            }
+        EXPECT_EQ(questions, 3) << name;
+        EXPECT_GT(last.size() - last.rfind("<!-- "), 100u) << name << " has no notes on them";
+    }
+}
+
+/// Returns the numbers before each `end` that follow `begin` in the text.
+std::vector<double> numbers_after(const std::string& text, std::string_view begin) {
+    std::vector<double> numbers;
+    for (size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+        numbers.push_back(std::strtod(text.c_str() + at + begin.size(), nullptr));
+    return numbers;
+}
+
+TEST(Slides, LettersOfDrawingsHave18PointsAtTheirShownSize) {
+    int drawings = 0;
+    for (const std::string& name : decks())
+        for (const std::string& line : split(deck_of(name, true).text, '\n')) {
+            const size_t file = line.find("](diagrams/");
+            if (file == std::string::npos) continue;
+            ++drawings;
+            const std::string svg = line.substr(file + 2, line.find(')', file) - file - 2);
+            const std::string drawing = read_file(course_root() / "assets" / svg);
+            const std::vector<double> sizes = numbers_after(drawing, "font-size=\""),
+                                      shown = numbers_after(line, "![w:"),
+                                      width = numbers_after(drawing, "viewBox=\"0 0 ");
+            ASSERT_TRUE(!sizes.empty() && !shown.empty() && !width.empty()) << name << ": " << svg;
+            const double least = *std::min_element(sizes.begin(), sizes.end());
+            EXPECT_GE(least * shown[0] / width[0], 23.9) << name << ": " << svg;  // 24 px are 18 pt
+        }
+    EXPECT_GT(drawings, 40);
+}
+
+/// A script that returns the texts of a drawing that leave it or meet, one line each.
+constexpr const char* find_bad_texts = R"js((() => {
+  const svg = document.documentElement, paper = svg.viewBox.baseVal, back = svg.getScreenCTM().inverse(), found = [];
+  const texts = [...document.querySelectorAll('text')].map(element => {
+    const box = element.getBoundingClientRect();
+    const low = new DOMPoint(box.left, box.top).matrixTransform(back), high = new DOMPoint(box.right, box.bottom).matrixTransform(back);
+    const rim = 0.2 * (high.y - low.y);  // a line is higher than its letters
+    return { words: element.textContent, left: low.x, right: high.x, top: low.y + rim, bottom: high.y - rim };
+  });
+  texts.forEach((a, i) => {
+    if (a.left < 1 || a.top < 0 || a.right > paper.width - 1 || a.bottom > paper.height) found.push('outside: ' + a.words);
+    for (const b of texts.slice(0, i))
+      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) found.push(a.words + ' meets ' + b.words);
+  });
+  return found;
+})())js";
+
+TEST(Slides, TextsOfDrawingsAreInsideThemAndApart) {
+    for (const auto& entry : fs::directory_iterator(course_root() / "assets/diagrams")) {
+        browser().open(entry.path());
+        EXPECT_EQ(Names(browser().eval(find_bad_texts)), Names{}) << entry.path();
+    }
+    const TemporaryFolder folder;
+    folder.write("bad.svg",
+                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 50' font-size='20'>"
+                 "<text x='80' y='30'>outside</text><text x='10' y='30'>a b</text><text x='20' y='30'>c</text></svg>");
+    browser().open(folder.path() / "bad.svg");
+    EXPECT_EQ(Names(browser().eval(find_bad_texts)), (Names{"outside: outside", "c meets a b"}));
+}
+
+/// Returns the words of each command in a table of the text, which the table's head begins with `./relief shot`.
+std::vector<Names> shots_in_tables(const std::string& text) {
+    constexpr std::string_view begin = "| `";
     std::vector<Names> shots;
+    bool of_shots = false;
     for (const std::string& line : split(text, '\n')) {
+        if (!line.starts_with('|')) of_shots = false;
+        if (contains(line, "`./relief shot`")) of_shots = true;
         const size_t at = line.find(begin);
-        if (!line.starts_with('|') || at == std::string::npos) continue;
+        if (!of_shots || at == std::string::npos || contains(line, "`./relief shot`")) continue;
         const size_t words = at + begin.size();
         shots.push_back(split(line.substr(words, line.find('`', words) - words), ' '));
     }
     return shots;
+}
+
+/// Returns the words of each command `./relief run ...` in a table of the text, without "./relief run".
+std::vector<Names> runs_in_tables(const std::string& text) {
+    constexpr std::string_view begin = "`./relief run ";
+    std::vector<Names> runs;
+    for (const std::string& line : split(text, '\n')) {
+        const size_t at = line.find(begin);
+        if (!line.starts_with('|') || at == std::string::npos) continue;
+        const size_t words = at + begin.size();
+        runs.push_back(split(line.substr(words, line.find('`', words) - words), ' '));
+    }
+    return runs;
 }
 
 /// Returns the fault of a command: its lab, a knob, a value or a file does not exist, or a knob is ignored. Returns an
@@ -220,13 +346,13 @@ std::string fault_of_shot(const Names& words) {
     }
 }
 
-/// Expects that every command in a table of a file is valid where the course is. Returns their labs.
-std::set<std::string> labs_of_valid_commands(const char* file, const std::string& command) {
+/// Expects that every command is valid where the course is. Returns their labs.
+std::set<std::string> labs_of_valid(const std::vector<Names>& commands) {
     const std::filesystem::path folder = std::filesystem::current_path();
     std::filesystem::current_path(course_root());
     std::set<std::string> labs;
-    for (const Names& words : commands_in_tables(read_file(file), command)) {
-        EXPECT_EQ(fault_of_shot(words), "") << "./relief " << command << " " << join(words, " ");
+    for (const Names& words : commands) {
+        EXPECT_EQ(fault_of_shot(words), "") << join(words, " ");
         labs.insert(words.at(0));
     }
     std::filesystem::current_path(folder);
@@ -234,7 +360,7 @@ std::set<std::string> labs_of_valid_commands(const char* file, const std::string
 }
 
 TEST(Slides, TheTableOfSourcesHasACommandOfEachLabAndNoWrongOne) {
-    const std::set<std::string> labs = labs_of_valid_commands("slides/00_relief.md", "shot");
+    const std::set<std::string> labs = labs_of_valid(shots_in_tables(read_file(course_root() / "slides/00_relief.md")));
     for (const LabEntry& lab : registry()) {
         if (lab.number >= 20) continue;  // not one of the course's labs
         EXPECT_TRUE(labs.contains(lab.two_digits())) << lab.folder;
@@ -242,7 +368,7 @@ TEST(Slides, TheTableOfSourcesHasACommandOfEachLabAndNoWrongOne) {
 }
 
 TEST(Slides, TheCommandsInTheGuidesTablesOpenALab) {
-    EXPECT_GE(labs_of_valid_commands("labs/staff/README.md", "run").size(), 7u);
+    EXPECT_GE(labs_of_valid(runs_in_tables(read_file(course_root() / "labs/staff/README.md"))).size(), 7u);
 }
 
 TEST(Slides, ACommandWithAWrongLabKnobOrValueIsAFault) {
@@ -360,7 +486,8 @@ TEST(Slides, ReportMissingPicturesWrongFormulasAndOverflow) {
                 std::string many;
                 for (int i = 0; i < 30; ++i) many += "- item\n";
                 return many;
-            }());
+            }() +
+            "\n---\n\n<small>tiny</small>\n");
     const fs::path source = course_root() / "slides", marp = course_root() / "build/marp/node_modules/.bin/marp";
     const Result made = run({marp.string(), "--no-stdin", "--config-file", (source / "marp.yml").string(),
                              "--theme-set", (source / "relief.css").string(), "--", "bad.md"},
@@ -372,7 +499,7 @@ TEST(Slides, ReportMissingPicturesWrongFormulasAndOverflow) {
     };
     const std::string all = join(problems, "\n");
     for (const char* text : {"slide 2: no picture gone.png", "slide 3: ", "slide 4: no picture file:",
-                             "slide 5: not set: ", "slide 6: runs out of its frame by "})
+                             "slide 5: not set: ", "slide 6: runs out of its frame by ", "slide 7: letters of "})
         EXPECT_TRUE(said(text)) << text << "\n" << all;
     EXPECT_FALSE(said("slide 1:")) << all;
 }

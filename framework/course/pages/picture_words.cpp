@@ -1,0 +1,93 @@
+#include "framework/course/pages/picture_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace relief::pages {
+namespace {
+
+std::string percent(float share) { return fmt::format("{:.2f}%", 100 * share); }
+std::string box_of(const PictureWord& word) {
+    return fmt::format("left:{};top:{};width:{};height:{}", percent(word.place.x), percent(word.place.y),
+                       percent(word.size.x), percent(word.size.y));
+}
+std::string color_of(glm::vec4 color) {
+    const auto byte = [](float value) { return int(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); };
+    return fmt::format("rgb({} {} {} / {:.2f})", byte(color.x), byte(color.y), byte(color.z), color.w);
+}
+
+/// Returns the captions of each tile: those at its top, and those at its bottom.
+List tiles_of_captions(std::span<const PictureWord> words) {
+    std::vector<PictureWord> captions;
+    for (const PictureWord& word : words)
+        if (word.kind == PictureWord::Kind::caption) captions.push_back(word);
+    const auto same_tile = [](const PictureWord& a, const PictureWord& b) {
+        return a.place == b.place && a.size == b.size;
+    };
+    List tiles;
+    for (size_t i = 0; i < captions.size(); ++i) {
+        if (std::any_of(captions.begin(), captions.begin() + std::ptrdiff_t(i),
+                        [&](const PictureWord& other) { return same_tile(other, captions[i]); }))
+            continue;
+        std::vector<PictureWord> lines;
+        for (const PictureWord& word : captions)
+            if (same_tile(word, captions[i])) lines.push_back(word);
+        std::stable_sort(lines.begin(), lines.end(),
+                         [](const PictureWord& a, const PictureWord& b) { return a.line < b.line; });
+        List top, bottom;
+        for (const PictureWord& word : lines)
+            (word.line < 0 ? bottom : top)
+                .push_back(Fields{{"text", word.text}, {"style", "color:" + color_of(word.color)}});
+        tiles.push_back(Fields{{"style", box_of(captions[i])}, {"top", std::move(top)}, {"bottom", std::move(bottom)}});
+    }
+    return tiles;
+}
+
+/// Returns a text with the degree sign in place of the sign for it in labels.
+std::string said(const std::string& text) {
+    std::string result;
+    for (const char c : text) result += c == '~' ? std::string("°") : std::string(1, c);
+    return result;
+}
+
+Fields fields_of(std::span<const PictureWord> drawn) {
+    std::vector<PictureWord> words(drawn.begin(), drawn.end());
+    for (PictureWord& word : words) word.text = said(word.text), word.end = said(word.end);
+    List boxes, texts;
+    Value scale;
+    for (const PictureWord& word : words) {
+        if (word.kind == PictureWord::Kind::box) {
+            boxes.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
+        } else if (word.kind == PictureWord::Kind::text && !word.text.empty()) {
+            const std::string style = fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%);--high:{:.2f}",
+                                                  percent(word.place.x), percent(word.place.y), color_of(word.color),
+                                                  -100 * word.anchor, 100 * word.size.y);
+            texts.push_back(Fields{{"text", word.text}, {"style", style}});
+        } else if (word.kind == PictureWord::Kind::scale) {
+            List ticks;
+            for (int tick = 1; tick < word.parts; ++tick)
+                ticks.push_back(Fields{{"style", "left:" + percent(float(tick) / float(word.parts))}});
+            scale = Fields{{"low", word.text}, {"high", word.end}, {"ticks", std::move(ticks)}};
+        }
+    }
+    return {{"tiles", tiles_of_captions(words)}, {"boxes", boxes}, {"texts", texts}, {"scale", scale}};
+}
+
+}  // namespace
+
+Value picture_words(std::span<const PictureWord> words) {
+    if (words.empty()) return {};
+    return fields_of(words);
+}
+
+std::string picture_words_markup(std::span<const PictureWord> words) {
+    return words.empty() ? "" : render("picture_words", fields_of(words));
+}
+
+PictureWord error_map_scale(const std::string& largest) {
+    return {.kind = PictureWord::Kind::scale, .text = "0", .end = largest + " and more"};
+}
+
+}  // namespace relief::pages
