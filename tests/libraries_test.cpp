@@ -41,7 +41,7 @@ TEST(Libraries, DefineEachSymbolOnce) {
     for (const fs::path& path : libraries()) {
         const std::string library = path.filename().string();
         for (const auto& [symbol, kind] : shown_symbols(path)) {
-            // Several libraries may share what is weak, such as inline functions.
+            // Several libraries may define a weak symbol, such as an inline function.
             if (std::string("TDBR").find(kind) == std::string::npos) continue;
             if (const auto [place, is_new] = owner.emplace(symbol, library); !is_new)
                 ADD_FAILURE() << symbol << " is defined in " << place->second << " and in " << library;

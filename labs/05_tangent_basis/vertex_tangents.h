@@ -26,8 +26,8 @@ inline constexpr auto methods = choices<Method>({{per_face, "per-face"},
                                                  {derivatives, "derivatives", "DERIVATIVES"},
                                                  {analytic, "analytic"},
                                                  {of_file, "file"}});
-/// Returns the mesh with the T, or for the method `angle` the B, of a method. Methods without tangents of vertices, and
-/// those that have them already, return it unchanged.
+/// Returns the mesh with the tangents of a method. With Axis::bitangent and the method `angle`, they are the
+/// bitangents. Methods that need no tangents at vertices, or find them in the mesh, return it unchanged.
 Mesh with_tangents(const Mesh& mesh, Method method, Axis axis = Axis::tangent);
 
 /// Returns how far the tangents of two meshes with the same corners are apart, over all corners.

@@ -94,7 +94,7 @@ private:
     // Index 0 of of_shape_ is the ammonite, 1 the cube, 2 a file.
     struct OfShape {
         Kept<std::unique_ptr<RayMesh>, Model, int, bool, Sculpt, int> high;  ///< by fineness, cord and version
-        /// By fineness, overlapping islands and version. Index 1 has the opposite diagonals of the bake's mesh.
+        /// Recomputed when fineness, overlap of islands or version changes. Index 1 has the opposite diagonals.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool, int>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;

@@ -63,8 +63,8 @@ private:
     glm::dvec3 outwards_;
 };
 
-/// Adds the rays of a column of texels of a whorl: from the cage to their hits. `hits` are those of the column from the
-/// strip's lower end on.
+/// Adds the rays of one column of a whorl's texels, each from the cage to its hit. `hits` begins at the strip's lower
+/// end.
 void add_rays(Section& section, const CoarseModel& coarse, int whorl, double s, double reach,
               const std::vector<glm::vec3>& hits) {
     for (size_t j = 0; j < hits.size(); ++j) {

@@ -40,7 +40,7 @@ struct Model {
     double unit(const glm::dvec2& uv) const;
 };
 
-/// What a sculptor has done to the fine ammonite; heights in radii of the tube. The defaults are the shell as it is.
+/// Changes of the fine ammonite by a sculptor; heights are in radii of the tube. The defaults change nothing.
 struct Sculpt {
     float ribs = 1;   ///< factor on the height of the ribs
     float bulge = 0;  ///< height of a wide bulge on the last whorl, or below 0 the depth of a hollow there
@@ -77,7 +77,7 @@ Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool othe
 struct OwnModels {
     OwnMesh coarse{own_radius}, fine{own_radius};
 
-    /// Returns the coarse model in the lab, with the file's tangents, or else those of its triangles.
+    /// Returns the coarse model in the lab. Its tangents are the file's, or are computed if the file has none.
     Mesh low() const;
     /// Returns the fine model, which is moved and scaled as the coarse one; its uv are 0. Without a file it is the
     /// coarse model.

@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    /// The maps of a view: none, those that are switched on, or these without normals and heights.
+    /// The maps of a view: none, all that are switched on, or all that are but normals and heights.
     enum Read { none, chosen, without_normals };
     /// A part of the picture.
     struct View {

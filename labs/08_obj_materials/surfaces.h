@@ -24,7 +24,7 @@ public:
         int filter = Settings::mips;
         const LightTarget* target = nullptr;  ///< bound; for Pass::light only
     };
-    /// Draws all surfaces. Throws Error if draw_order() returns other indices than those of the surfaces.
+    /// Draws all surfaces. Throws Error if draw_order() returns an index without a surface, or too many.
     void draw(const Frame& frame, DrawnScene& drawn, const Look& look);
 
     /// Returns how often a program was compiled again: see Programs::renewals().

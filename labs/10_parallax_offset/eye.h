@@ -8,11 +8,12 @@
 
 namespace relief::offsets {
 
-/// In the world: the model goes there, and the shader takes dot products with its axes. By the inverse of the model's
-/// matrix: the eye goes to the model, in floats as a shader computes it, or in doubles.
+/// The space of the shader's rays. `world`: the shader takes dot products with the model's axes in the world.
+/// `inverse`: the inverse of the model's matrix brings the eye into the model's space, in floats as a shader would
+/// compute it. `inverse_in_double`: the same in doubles.
 enum class EyeBy { world, inverse, inverse_in_double };
 
-/// What the shader gets. All vectors are in one space, that of the result of `space_from_model`.
+/// The shader's inputs. All vectors are in the space to which `space_from_model` leads.
 struct PlacedEye {
     glm::dmat4 clip_from_space, space_from_model;
     glm::dvec3 eye, to_light, up;
@@ -24,8 +25,8 @@ inline glm::dmat4 pose_of(double turn, double away) {
     return glm::rotate(moved, glm::radians(turn), glm::normalize(glm::dvec3(1, 2, 3)));
 }
 
-/// Places a model in the world, and the camera, the light and `up` with it. So the picture does not depend on the pose,
-/// apart from rounding. `to_light` is relative to the model.
+/// Places a model in the world, and the camera, the light and `up` with it. So only rounding makes the picture depend
+/// on the pose. `to_light` is relative to the model.
 inline PlacedEye place(EyeBy by, const Camera& camera, const glm::dmat4& world_from_model, const glm::dvec3& to_light) {
     const glm::dvec3 up(0, 1, 0), eye_in_world(world_from_model * glm::dvec4(camera.eye(), 1));
     if (by == EyeBy::world) {

@@ -197,7 +197,8 @@ private:
         });
     }
 
-    /// Names the ways, and compares their rays with those by the inverse in doubles: bit by bit, and in texels.
+    /// Writes captions. They compare the rays of each way with the rays by the inverse in doubles: bit by bit, and in
+    /// texels.
     void describe_eyes(glm::ivec2 size, const std::vector<Sight>& sights) {
         constexpr std::array titles = {"dot products in the world", "eye by the inverse", "inverse in double"};
         constexpr glm::ivec2 sample{128, 128};

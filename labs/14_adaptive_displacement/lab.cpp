@@ -108,8 +108,8 @@ private:
         return triangles;
     }
 
-    /// Draws the patches and the eye's lines of sight from above. `triangles` are those of the eye's picture, -1 if
-    /// unknown.
+    /// Draws the patches and the eye's lines of sight from above. `triangles`: their number in the eye's picture, or -1
+    /// if it is unknown.
     void draw_above(glm::ivec2 size, const View& view, int triangles) {
         const int with_culled = draw_picture(view, "PATCHES");
         sight_.draw(view.seen.camera, view.eye.camera, surface_.shape == DisplacedSurface::ground ? 15 : 3.5);
@@ -151,7 +151,7 @@ private:
 
     bool has_backs(const Define& purpose) const { return !surface_.is_one_sided() || purpose.text == "PROBE_winding"; }
 
-    /// Puts the surface's program into use, with all uniforms but those of the shadow.
+    /// Uses the surface's program, and sets all its uniforms except the shadow's.
     const Program& use_program(const View& view, const Define& purpose) {
         const bool is_probe = purpose.text.starts_with("PROBE_");
         const Program& program =

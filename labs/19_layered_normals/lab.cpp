@@ -1,8 +1,8 @@
 // Lab 19: layered normals.
 //
-// A grain on stones: which blend of two normals is right depends on what the second layer is. A relief on three planes
-// around a solid: gradients add, and the weights have one, too. A wall far away: a pixel's highlight needs the spread
-// of both layers' slopes. Your tasks: shaders/19_layered_normals/task.glsl
+// A grain on stones: the right blend of two normals depends on the second layer's meaning. A relief on three planes
+// around a solid: gradients add, and the weights have a gradient, too. A wall far away: a pixel's highlight needs the
+// spread of both layers' slopes. Your tasks: shaders/19_layered_normals/task.glsl
 #include <fmt/format.h>
 
 #include "framework/core/image/compare.h"
@@ -172,7 +172,7 @@ private:
     Texture detail_bends_{"bends of grain", [] { return grain_maps().bends; }};
     std::array<GpuMesh, 3> solids_{upload([] { return solid_mesh(0); }), upload([] { return solid_mesh(1); }),
                                    upload([] { return solid_mesh(2); })};
-    /// By tile. Inputs: knobs, camera, renewals of the programs.
+    /// One for each tile. The inputs are knobs, camera, and how often programs were renewed.
     std::array<Kept<ErrorSummary, std::vector<std::string>, Orbit, int>, 6> measured_;
     WindowTriangle window_;
     Labels labels_;

@@ -35,7 +35,7 @@ struct Entry {
     std::string name, hash;
     std::vector<const LabEntry*> labs;
     std::map<std::string, LabMark> kept;  ///< earlier marks of labs beyond the limit of hand-ins, by folder
-    std::vector<GradedHandIn> hand_ins;   ///< what grading adds to the log
+    std::vector<GradedHandIn> hand_ins;   ///< entries that grading adds to the log
     SubmissionMark mark;
     bool done = false;
 };
@@ -209,7 +209,7 @@ private:
     bool take_over(Entry& entry) const {
         if (options_.fresh || entry.hash.empty()) return false;
         auto mark = result_of(options_.output, entry.name, course_);
-        // Another day may allow what the limit refused.
+        // A hand-in that the limit refused may be allowed on another day.
         const auto is_same = [](const LabMark& one, const LabEntry* lab) {
             return one.lab == lab->folder && one.kept.empty();
         };
@@ -220,8 +220,8 @@ private:
         return true;
     }
 
-    /// Applies the limit of hand-ins to the labs of a submission. A lab whose files are those that were graded last is
-    /// no new hand-in. A lab beyond the limit keeps its earlier mark; without one it is graded.
+    /// Applies the limit of hand-ins to the labs of a submission. A lab is no new hand-in if its files equal the last
+    /// graded ones. A lab beyond the limit keeps its earlier mark; without one it is graded.
     void apply_limit(Entry& entry, const Submission& submission) {
         if (hand_ins_per_day_ == 0) return;
         const std::vector<GradedHandIn> log = read_hand_in_log(options_.output, entry.name);

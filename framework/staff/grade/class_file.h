@@ -75,7 +75,7 @@ struct ClassFile {
 /// and a student who is not on the roster.
 ClassFile read_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
-/// Returns whether the class has late days or a limit of hand-ins, so that a table says what was used.
+/// Returns whether the class has late days or a limit of hand-ins. If it has, late_days.csv is written.
 bool has_limits(const ClassFile& policy);
 
 /// Returns the class file kept for a folder of results, or an empty path. Throws UsageError if it no longer exists.

@@ -15,8 +15,8 @@ namespace relief::grade {
 /// each task before lateness. Column names contain the maxima. Formulas are disabled: see defused().
 std::string to_csv(const ClassStanding& standing);
 
-/// Returns late_days.csv: a line for each student and lab, with the late days, those that the bank of the term pays and
-/// that it has left, and the graded hand-ins.
+/// Returns late_days.csv: a line for each student and lab, with the late days, how many of them the bank of the term
+/// pays, the rest of the bank, and the number of graded hand-ins.
 std::string to_late_days(const ClassStanding& standing);
 
 /// Returns a gradebook for import into Canvas, with a column for each assigned lab, named as the class file says.

@@ -162,7 +162,7 @@ public:
         std::stable_sort(made_.begin(), made_.end(), [](const Made& a, const Made& b) { return a.begin < b.begin; });
     }
 
-    /// Of the functions' bodies in a text without marks.
+    /// Makes changes in the bodies of the functions of `shader`, a text without marks.
     explicit Maker(const std::string& shader) : text_(shader) {
         for (const GlslFunction& function : parse_glsl(shader).functions)
             mutate(shader.find('{', function.name_at) + 1, function.end - 1);

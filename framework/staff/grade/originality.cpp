@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 /// A task file with more tokens is not compared. The longest solution has 3,000.
 constexpr size_t most_tokens = 20'000;
 
-/// What the course says about one task file.
+/// The functions and names that the course gives in one task file.
 struct GivenFile {
     std::map<std::string, std::string> task_of_function;
     GivenNames names;
@@ -97,7 +97,7 @@ struct ComparedText {
     size_t author;
     const TaskCode* code;
     std::vector<uint64_t> grams;
-    Grams all;                              ///< those of `grams` that the starter does not have
+    Grams all;                              ///< without the starter's
     std::vector<CodeFingerprint> own = {};  ///< each hash once
     std::vector<double> weights = {};       ///< of each of `own`: see bits_of_copy()
     size_t own_tokens = 0;                  ///< number of tokens in `all`
@@ -194,7 +194,7 @@ public:
         }
     }
 
-    /// By the authors of each pair, in ascending order.
+    /// Returns the bits of each pair. A key is two authors, the smaller first.
     const std::map<std::pair<size_t, size_t>, double>& bits() const { return bits_; }
 
     SharedTask shared(const std::array<size_t, 2>& authors, const std::vector<Author>& all, size_t usual_count) const {

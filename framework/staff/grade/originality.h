@@ -33,7 +33,7 @@ struct SharedSide {
     std::vector<SharedRange> ranges;                ///< in the text's order
     std::vector<std::pair<size_t, size_t>> pieces;  ///< the task's definitions, as ranges of the file
 };
-/// What two submissions share in one task.
+/// Code of one task that two submissions share.
 struct SharedTask {
     std::string task, file;
     double bits = 0;    ///< how much better "one knew the other's text" explains it than "each wrote alone"
@@ -43,7 +43,7 @@ struct SharedTask {
 };
 struct SimilarPair {
     std::array<size_t, 2> authors{};  ///< indices of OriginalityReport::authors; the first is of this class
-    double bits = 0;                  ///< sum of what exceeds task_toll_bits in each task
+    double bits = 0;                  ///< sum over the tasks of the bits beyond task_toll_bits
     double by_chance = 0;             ///< expected number of such pairs in a class of independent authors
     int cluster = 0;                  ///< counted from 1
     std::vector<SharedTask> tasks;    ///< the most surprising first
@@ -79,10 +79,10 @@ using Having = std::vector<bool>;
 
 /// Returns the bits by which "B knew A's text" explains the shared fingerprints better than "B wrote alone".
 /// `weights[i]`: how much of an independent event fingerprint i of A is, in (0, 1]. `b`: the fingerprints that B
-/// has. `others`: those that other submissions and known solutions have. README.md explains the model.
+/// has. `others`: the fingerprints of other submissions and known solutions. README.md explains the model.
 double bits_of_copy(const std::vector<double>& weights, const Having& b, const std::vector<const Having*>& others);
 
-/// Reads and compares the submissions at `paths`, and those in the folders `earlier`, of which each entry is a
+/// Reads and compares the submissions at `paths`, and the earlier ones: each entry of a folder in `earlier` is a
 /// submission. `labs` empty: all labs. Throws UsageError if there are fewer than two submissions to compare, and for a
 /// folder in `earlier` that is none or empty. Never throws because of a submission's content.
 OriginalityReport compare_class(const std::vector<std::filesystem::path>& paths,

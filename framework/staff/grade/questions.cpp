@@ -449,7 +449,8 @@ private:
 
     static std::string letter(size_t place) { return std::string(1, char('A' + place)); }
 
-    /// `choices`: the student's own picture, and those of three changes; the question is about the second.
+    /// `choices`: the student's own picture, then the pictures of three changes. The question is about the first
+    /// change.
     void add_picture(const Changed& of, std::vector<size_t> choices) {
         Question question = begun(QuestionKind::picture, *of.task, *of.view.check);
         question.probe = of.view.shot.probe.name;

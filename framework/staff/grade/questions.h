@@ -55,9 +55,9 @@ struct LabQuestions {
     std::string problem;  ///< why there can be no question, in one line; or empty
 };
 
-/// The pixels of a picture that are worth a question: up to `count`, in a seeded order. If `expected` is given, those
-/// where the error is at least half of its maximum, else those that show something: a surface in a probe; in a picture,
-/// another colour than in its upper left corner. Pixels at the border do not count.
+/// Returns up to `count` pixels that are worth a question, in a seeded order. If `expected` is given, the error at each
+/// is at least half of its maximum. Otherwise each shows something: a surface in a probe; in a picture, another colour
+/// than in its upper left corner. Pixels at the border do not count.
 std::vector<glm::ivec2> telling_pixels(const Image& drawn, const Image* expected, const ProbeInfo* probe, size_t count,
                                        const std::string& seed);
 

@@ -47,7 +47,7 @@ struct Standing {
     bool is_waiting = false;               ///< handed in, but not graded yet
     std::vector<LabStanding> labs;         ///< the labs that count, the same for all students
     std::vector<Adjustment> adjustments;
-    int bank_days = 0, bank_used = 0;  ///< late days of the term that cost nothing; those used in all assigned labs
+    int bank_days = 0, bank_used = 0;  ///< free late days of the term; how many of them are used
 
     int of() const;
     double graded() const, adjusted() const, points() const;

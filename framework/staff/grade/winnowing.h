@@ -48,8 +48,9 @@ std::map<std::string, std::string> tasks_of_functions(const std::string& starter
 /// Returns a file's code by task. A function of the starter belongs to its task wherever it is. Any other definition
 /// belongs to the task whose line "// TASK 11.2" is above it, or without one to the task of the next function.
 ///
-/// In the normal form a name that the student chose is "I", and a number is its value: "1." and "1.0f" are "1". Colour
-/// and texture swizzles are those of a position. There are no comments, white space and preprocessor lines.
+/// In the normal form a name that the student chose is "I", and a number is its value: "1." and "1.0f" are "1".
+/// Swizzles of colours (rgba) and texture coordinates (stpq) are written xyzw. Comments, white space and preprocessor
+/// lines are left out.
 std::map<std::string, TaskCode> code_by_task(const std::string& text,
                                              const std::map<std::string, std::string>& task_of_function,
                                              const GivenNames& given);

@@ -6,7 +6,7 @@
 
 namespace relief::web {
 
-/// What a site is made of.
+/// The sources of a site.
 struct LiveSite {
     std::filesystem::path course;  ///< a students' course: see write_handout()
     std::filesystem::path module;  ///< folder of relief.js and relief.wasm, compiled from that course
