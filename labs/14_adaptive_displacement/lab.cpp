@@ -85,9 +85,9 @@ private:
     /// one for the search for holes, and one for the shadow map.
     int draws_of_picture() const {
         return (settings_.view == Settings::both ? 2 : 1) * (settings_.wire ? 3 : 1) +
-               (settings_.view != Settings::above && settings_.may_crack() ? 1 : 0) +
-               (settings_.shadow != Settings::no_shadow ? 1 : 0);
+               (settings_.view != Settings::above && settings_.may_crack() ? 1 : 0) + (casts_shadow() ? 1 : 0);
     }
+    bool casts_shadow() const { return settings_.shadow != Settings::no_shadow && settings_.view != Settings::above; }
 
     void draw_probe(const Probe& probe, const std::vector<View>& views) {
         const bool is_count = probe.name == "winding";
@@ -101,7 +101,7 @@ private:
 
     /// Draws what the eye sees, with its holes. Returns the number of triangles.
     int draw_eye(glm::ivec2 size, const View& view) {
-        if (settings_.shadow != Settings::no_shadow) draw_shadow(view);
+        if (casts_shadow()) draw_shadow(view);
         const int triangles = draw_picture(view, "");
         labels_.caption(size, view.tile, 0, fmt::format("{} triangles", triangles));
         if (settings_.may_crack()) mark_holes(size, view);
@@ -166,7 +166,7 @@ private:
         set_colors(program, view.seen);
         set_levels(program, view.eye);
         set_culling(program, view, !has_backs(purpose));
-        if (settings_.shadow == Settings::shadow_of_all)
+        if (settings_.shadow == Settings::shadow_of_all && casts_shadow() && !is_probe)
             stop_culling(program);  // the shadow map is within the bound, too
         bound_levels(program, is_probe ? 1 : draws_of_picture());
         set_culling(program, view, !has_backs(purpose));

@@ -21,7 +21,7 @@ bool is_software_renderer();
 void draw_comparably();
 bool draws_comparably();
 
-/// Draws so while it exists.
+/// Makes draws_comparably() true while it exists, then restores it.
 class ComparableDrawing {
 public:
     ComparableDrawing() : before_(draws_comparably()) { draw_comparably(); }

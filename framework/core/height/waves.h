@@ -9,7 +9,7 @@
 
 namespace relief {
 
-/// A wave amplitude * cos(2 pi dot(k, uv) + phase). PlaneWave numbers are whole, so that a map of waves tiles.
+/// A wave amplitude * cos(2 pi dot(k, uv) + phase). Wave numbers are whole, so that a map of waves tiles.
 struct PlaneWave {
     glm::ivec2 k;
     double amplitude, phase;  ///< metres; radians

@@ -22,7 +22,7 @@ public:
     /// Returns the height of a line of text for a frame of this size: legible, and the same share of any larger
     /// picture. Words that will be laid over the picture get more room, since their letters do not shrink with it.
     static float line_height(glm::ivec2 size) {
-        return std::max(11.0f, (has_words() ? 0.042f : 0.06f) * float(std::min(size.x, size.y)));
+        return has_words() ? usual_line(size) : std::max(11.0f, 0.06f * float(std::min(size.x, size.y)));
     }
     static float width(const std::string& text, float height) { return float(text.size()) * height * letter_aspect; }
 
@@ -35,22 +35,21 @@ public:
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
                  glm::vec3 color = {0.93f, 0.92f, 0.89f});
     void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
-    /// Adds a bright cross on a dark one, with a gap in its middle: for a pixel of which the picture tells more.
+    /// Marks a pixel: a bright cross on a dark one, with a gap in the middle.
     void cross(glm::vec2 middle, float reach);
     /// Adds the colours of heat(), from 0 on the left to 1 on the right.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 
     /// Adds the scale of heat() in the lowest scale_height() pixels of a frame. Its left end is `low`; each tick is ten
-    /// times the previous one.
-    static int scale_height(glm::ivec2 size) {
-        return int(std::ceil(0.9f * std::max(11.0f, 0.042f * float(std::min(size.x, size.y)))));
-    }
+    /// times the previous one. The scale keeps its height, so that tiles do not move when words are left out.
+    static int scale_height(glm::ivec2 size) { return int(std::ceil(0.9f * usual_line(size))); }
     void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
 
     /// Draws into the whole of frame.target, and clears the collection.
     void draw(const Frame& frame);
 
 private:
+    static float usual_line(glm::ivec2 size) { return std::max(11.0f, 0.042f * float(std::min(size.x, size.y))); }
     static constexpr float letter_aspect = 0.5f;
     struct Corner {
         glm::vec2 place, uv;

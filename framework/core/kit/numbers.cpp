@@ -9,14 +9,15 @@ namespace relief {
 
 namespace {
 
-/// Restores the framebuffer and the viewport that were bound when it was made.
+/// Restores, when it goes, the framebuffer and the viewport that were bound when it was made.
 class BoundBefore {
 public:
     BoundBefore() {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
         glGetIntegerv(GL_VIEWPORT, viewport_);
     }
-    void restore() const {
+    BoundBefore(const BoundBefore&) = delete;
+    ~BoundBefore() {
         glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer_));
         glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
     }
@@ -39,9 +40,7 @@ Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw) {
         const TellMissingTasks told;  // the placeholder of a missing task then writes not_written, not numbers
         draw();
     }
-    Image drawn = target.read();
-    before.restore();
-    return drawn;
+    return target.read();
 }
 
 std::array<glm::vec4, 4> draw_pixel(glm::ivec2 size, glm::ivec2 pixel, const std::function<void()>& draw) {
@@ -58,7 +57,6 @@ std::array<glm::vec4, 4> draw_pixel(glm::ivec2 size, glm::ivec2 pixel, const std
         const Image texel = target.read(i);
         outputs[i] = {texel.values[0], texel.values[1], texel.values[2], texel.values[3]};
     }
-    before.restore();
     return outputs;
 }
 

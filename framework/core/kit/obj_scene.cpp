@@ -91,8 +91,14 @@ private:
     }
 
     /// Returns whether a picture, or none, has a fourth channel.
-    static bool has_alpha(const std::string& name) {
-        return !name.empty() && read_asset_chain(name, ColorSpace::srgb).channels == 4;
+    bool has_alpha(const std::string& name) {
+        if (name.empty()) return false;
+        const auto [has, is_new] = has_alpha_.try_emplace(name);
+        // A picture of the course is stored with its mip chain; a user's file would get one first.
+        if (is_new)
+            has->second = name.starts_with("..") ? read_image(course_root() / "assets" / name).channels == 4
+                                                 : read_asset_chain(name, ColorSpace::srgb).channels == 4;
+        return has->second;
     }
 
     void note(const Material& material, const std::string& message) {
@@ -103,6 +109,7 @@ private:
     const std::function<MapKind(const Image&)>& kind_of_;
     std::vector<std::string>& notes_;
     std::map<std::string, MapKind> kinds_;
+    std::map<std::string, bool> has_alpha_;
 };
 
 /// Returns the material of a subset: grey and not black if there is none, so that it is visible.

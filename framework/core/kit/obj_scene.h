@@ -41,8 +41,8 @@ struct ObjScene {
 
 /// Returns the surfaces of a model, with the maps that are switched on. `kind_of` decides how map_bump is read; `norm`
 /// holds normals. Without map_d the fourth channel of map_Kd is the mask, if there is one. A map that is missing is
-/// left out, with a note. A surface without a material is grey. Throws as read_image() does for a bump map, and as
-/// `kind_of` does.
+/// left out, with a note. A surface without a material is grey. Throws as read_image() does for map_bump and,
+/// without map_d, for map_Kd, and as `kind_of` does.
 ObjScene make_obj_scene(ObjModel model, const MapSwitches& maps, const std::function<MapKind(const Image&)>& kind_of);
 
 /// An OBJ file of the user with its materials, for a knob with Knobs::choice_or_file().

@@ -12,7 +12,7 @@ namespace relief {
 struct PictureWord {
     enum class Kind {
         caption,  ///< a line in the middle of a tile; place and size are the tile's
-        text,     ///< begins, has its middle or ends at place.x, says `anchor`; size.y is its height
+        text,     ///< `anchor` says which point of the text is at place.x; size.y is its height
         box,
         scale  ///< heat colours from `text` on the left to `end` on the right
     };

@@ -22,7 +22,8 @@ struct Parallelogram {
 /// one plane continue each other's texture.
 Mesh make_parallelogram(const Parallelogram& shape);
 
-/// Returns the six faces of an axis-aligned box. uv are as in make_parallelogram(), with `tile` in metres.
+/// Returns the six faces of an axis-aligned box. Unlike those of make_box(), its uv are distances: see
+/// make_parallelogram(); `tile` is in metres.
 Mesh make_block(const glm::dvec3& low, const glm::dvec3& high, double tile = 1);
 
 /// Appends a part, moved by `offset`, with its uv multiplied by `tiles`.

@@ -20,9 +20,8 @@ struct PolarCircle {
     double radius, detail;
     int segments;  ///< of a patch along the circle, a power of two
 };
-/// Adds the patch between two circles and the angles `begin` and begin + width, in radians. It has `rows` rows, at
-/// least
-/// 1. Patches that meet have the same vertices on their common edge, to the last bit.
+/// Adds the patch between two circles and the angles `begin` and begin + width, in radians. It has `rows` rows (at
+/// least 1). Patches that meet have bit-identical vertices on their common edge.
 void add_patch(PolarGrid& grid, const PolarCircle& inner, const PolarCircle& outer, double begin, double width,
                int rows);
 

@@ -84,7 +84,8 @@ std::string title(const std::string& name) {
 
 int make_new_lab(const std::string& text) {
     const NewName name = parse_name(text);
-    const fs::path root = course_root(), templates = root / "framework" / "course" / "app" / "new_lab";
+    const fs::path& root = course_root();
+    const fs::path templates = root / "framework" / "course" / "app" / "new_lab";
     const fs::path lab = root / "labs" / name.folder(), shaders = root / "shaders" / name.folder();
     std::vector<std::pair<const char*, fs::path>> files = {{"surface.vert", shaders / "surface.vert"},
                                                            {"surface.frag", shaders / "surface.frag"},

@@ -357,6 +357,7 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
 }
 
 std::optional<Image> expectation(KeptLabs& labs, const CheckInfo& check) {
+    const ComparableDrawing comparable;  // as run() draws what it compares with this
     if (check.against != "truth" && check.against != "solution") return {};
     const fs::path file = expectation_file(labs.entry(), check);
     if (fs::exists(file)) return read_image(file);

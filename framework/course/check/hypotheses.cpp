@@ -172,7 +172,7 @@ private:
         add_function(std::move(words), std::move(rule));
         found_.back().may_hold_in_part = false;
     }
-    void add_component(const std::string& words, size_t channel, std::function<double(const Value&)> of) {
+    void add_component(const std::string& words, size_t channel, const std::function<double(const Value&)>& of) {
         add(fmt::format("the expected {} with {}", pair_.noun(), words), [=](size_t, const Value& e) {
             Value value = e;
             value[channel] = of(e);
@@ -401,7 +401,7 @@ private:
     /// The expected picture at another place.
     void in_place() {
         const int w = pair_.width(), h = pair_.height();
-        const auto add_moved = [&](std::string words, std::function<std::pair<int, int>(int x, int y)> from) {
+        const auto add_moved = [&](std::string words, const std::function<std::pair<int, int>(int x, int y)>& from) {
             add(std::move(words), [=, &pair = pair_](size_t pixel, const Value&) -> std::optional<Value> {
                 const auto [x, y] = from(int(pixel % size_t(w)), int(pixel / size_t(w)));
                 if (x < 0 || y < 0 || x >= w || y >= h) return {};

@@ -1,6 +1,10 @@
 #include "framework/staff/reference/gltf_files.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+
+#include "framework/core/base/error.h"
 
 namespace relief {
 namespace {
@@ -13,6 +17,9 @@ void append_bytes(std::string& bytes, const Value& value) {
 }  // namespace
 
 GltfFiles gltf_files(const Mesh& mesh, const std::string& name, const std::string& map_file) {
+    if (mesh.vertices.empty() || mesh.vertices.size() > 65535)
+        throw Error(fmt::format("{}: {} vertices; a glTF file with indices of 16 bits has 1 to 65,535", name,
+                                mesh.vertices.size()));
     using nlohmann::json;
     GltfFiles files;
     json views = json::array(), accessors = json::array();

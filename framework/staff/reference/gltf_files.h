@@ -11,7 +11,8 @@ namespace relief {
 struct GltfFiles {
     std::string json, buffer;
 };
-/// Returns the files of a mesh of at most 65,536 vertices, with a normal map.
+/// Returns the files of a mesh with a normal map. Throws Error unless it has 1 to 65,535 vertices, since an index has
+/// 16 bits, and glTF reserves 65,535.
 GltfFiles gltf_files(const Mesh& mesh, const std::string& name, const std::string& map_file);
 
 }  // namespace relief

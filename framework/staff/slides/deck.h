@@ -5,8 +5,8 @@
 //     ![Time against error](<bench parallax --quick>)
 //
 // becomes the picture that this command of `relief` draws. The words of a picture of a lab are laid over it as text, in
-// letters that a class can read. Pictures of mistakes, and those behind a title (`![bg`), have none, nor
-// does a picture whose alternative text begins with the word `bare`.
+// letters that a class can read. Pictures of mistakes, and those behind a title (`![bg`), keep the words
+// that the lab draws into them. A picture whose alternative text begins with the word `bare` has no words.
 //
 //     ```glsl shaders/10_parallax_offset/surface.frag lookup
 //     ```

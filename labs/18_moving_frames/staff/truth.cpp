@@ -10,9 +10,9 @@
 namespace relief::moving_frames {
 namespace {
 
-/// Returns a symmetric bilinear form of two dual quaternions. moved_by(a, a, p) is the place p moved by a, times the
+/// Returns a symmetric bilinear form of two dual quaternions. polar_form(a, a, p) is the place p moved by a, times the
 /// squared length of a.real, so a need not be unit.
-glm::dvec3 moved_by(const DualQuaternion& a, const DualQuaternion& b, const glm::dvec3& p) {
+glm::dvec3 polar_form(const DualQuaternion& a, const DualQuaternion& b, const glm::dvec3& p) {
     const glm::dvec3 v(a.real), w(b.real), d(a.dual), e(b.dual);
     const double s = a.real.w, t = b.real.w;
     const glm::dvec3 turned = p * (s * t - glm::dot(v, w)) + glm::dot(v, p) * w + glm::dot(w, p) * v +
@@ -147,14 +147,15 @@ glm::dmat3 exact_jacobian(const Body& body, const Pose& pose, const std::vector<
         change.real += influence.slopes[i] * motion.real, change.dual += influence.slopes[i] * motion.dual;
     }
     const double square = glm::dot(blend.real, blend.real);
-    const glm::dvec3 at_origin = moved_by(blend, blend, glm::dvec3(0)), moved = moved_by(blend, blend, rest);
+    const glm::dvec3 at_origin = polar_form(blend, blend, glm::dvec3(0)), moved = polar_form(blend, blend, rest);
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 along(0);
         along[axis] = 1;
-        jacobian[axis] = (moved_by(blend, blend, along) - at_origin) / square;
+        jacobian[axis] = (polar_form(blend, blend, along) - at_origin) / square;
     }
     // The quotient rule. Numerator and denominator are quadratic forms of the blend.
-    jacobian[0] += 2.0 * (moved_by(blend, change, rest) - moved / square * glm::dot(blend.real, change.real)) / square;
+    jacobian[0] +=
+        2.0 * (polar_form(blend, change, rest) - moved / square * glm::dot(blend.real, change.real)) / square;
     return jacobian;
 }
 

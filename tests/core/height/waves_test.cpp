@@ -63,7 +63,7 @@ TEST(Waves, MapsMatchTheCosines) {
 }
 
 TEST(Waves, MapsOfTheirHeightsHaveTheSameSlopes) {
-    // A central difference of a wave of 64 / 9 wave_texels is too flat by the sinc of 2 pi 9 / 64: by 13 %.
+    // A central difference of a wave of 64 / 9 texels is too flat by the sinc of 2 pi 9 / 64: by 13 %.
     const std::vector<PlaneWave> waves = random_waves(of_waves, 12);
     const WaveMaps maps = wave_maps(waves, wave_texels, tile_width);
     Image heights(wave_texels, wave_texels, 1);

@@ -240,7 +240,7 @@ TEST(Slides, EveryDeckEndsWithThreeQuestionsWhoseAnswersAreInTheNotes) {
     }
 }
 
-/// Returns the numbers before each `end` that follow `begin` in the text.
+/// Returns the number after each `begin` in the text.
 std::vector<double> numbers_after(const std::string& text, std::string_view begin) {
     std::vector<double> numbers;
     for (size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
