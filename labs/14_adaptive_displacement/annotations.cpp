@@ -2,7 +2,32 @@
 
 #include <fmt/format.h>
 
+#include "framework/core/image/visualize.h"
+#include "scene.h"
+
 namespace relief::adaptive {
+namespace {
+
+struct LegendEntry {
+    std::string text;
+    glm::vec3 color;
+};
+
+/// Adds a legend in the lower left corner of a tile, the first row below the second.
+void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<std::vector<LegendEntry>>& rows) {
+    const float line = std::min(Labels::line_height(size) * 0.75f, 0.06f * float(tile.size.y)), gap = line * 0.25f;
+    glm::vec2 place(0, float(size.y - tile.corner.y));
+    for (const auto& row : rows) {
+        place = {float(tile.corner.x) + gap * 2, place.y - line - gap};
+        for (const auto& [text, color] : row) {
+            labels.rectangle(place, {line, line}, glm::vec4(color, 1));
+            labels.text(text, place + glm::vec2(line * 1.25f, 0), line);
+            place.x += line * 1.75f + Labels::width(text, line);
+        }
+    }
+}
+
+}  // namespace
 
 std::vector<glm::ivec2> holes_in(const Image& sums, bool is_closed) {
     const auto sum = [&](int x, int y) {
@@ -31,17 +56,32 @@ void mark(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<g
                          glm::vec2(side), {1, 0.25f, 0.1f, 0.75f});
 }
 
-void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<std::vector<LegendEntry>>& rows) {
-    const float line = std::min(Labels::line_height(size) * 0.75f, 0.06f * float(tile.size.y)), gap = line * 0.25f;
-    glm::vec2 place(0, float(size.y - tile.corner.y));
-    for (const auto& row : rows) {
-        place = {float(tile.corner.x) + gap * 2, place.y - line - gap};
-        for (const auto& [text, color] : row) {
-            labels.rectangle(place, {line, line}, glm::vec4(color, 1));
-            labels.text(text, place + glm::vec2(line * 1.25f, 0), line);
-            place.x += line * 1.75f + Labels::width(text, line);
-        }
-    }
+void describe_patches(Labels& labels, glm::ivec2 size, const Tile& tile, const Described& of, int more) {
+    const bool is_even = of.settings.spacing == 2;  // fractional-even takes level 1 for 2
+    const bool is_quad = of.surface.corners() == 4;
+    const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
+    const size_t count = of.surface.patches().patches();
+    if (more >= 0 && of.settings.cull != Settings::cull_none)
+        labels.caption(size, tile, 0,
+                       fmt::format("{:.0f} % of {} patches culled",
+                                   100.0 * more / each / double(std::max<size_t>(1, count)), count));
+    std::vector<LegendEntry> levels, others;
+    for (int octave = 0; octave < level_octaves; ++octave)  // the colours of surface.frag
+        levels.push_back({std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1))});
+    if (of.settings.cull != Settings::cull_none) others.push_back({"outside", outside_color});
+    if (of.settings.cull == Settings::cull_all && of.surface.is_one_sided())
+        others.push_back({"facing away", away_color});
+    if (of.settings.fade) others.push_back({"faded", faded_color});
+    add_legend(labels, size, tile, {levels, others});
+}
+
+void describe_limits(Labels& labels, glm::ivec2 size, const Tile& tile, const Described& of, float most_level) {
+    std::string limits;
+    if (most_level < DisplacedSurface::finest_level) limits = fmt::format("levels up to {:.0f}", most_level);
+    const int samples = densest_samples(of.surface.patches().patches());
+    if (of.settings.method == Settings::by_error && samples < densest_samples(1))
+        limits += fmt::format("{}errors from {} places a side", limits.empty() ? "" : ", ", samples);
+    if (!limits.empty()) labels.caption(size, tile, 1, limits);
 }
 
 void SightLines::draw(const Camera& seen_by, const Camera& eye, double reach) {

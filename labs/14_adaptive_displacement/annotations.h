@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "framework/core/kit/displaced_surface.h"
 #include "framework/core/kit/labels.h"
+#include "settings.h"
 
 namespace relief::adaptive {
 
@@ -16,12 +17,22 @@ std::vector<glm::ivec2> holes_in(const Image& sums, bool is_closed);
 /// Marks pixels of a tile by squares. `size` is that of the frame.
 void mark(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<glm::ivec2>& pixels);
 
-struct LegendEntry {
-    std::string text;
-    glm::vec3 color;
+/// Colours of patches that are outside the picture, that face away, and whose relief is faded out.
+constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
+    faded_color{0.62f, 0.70f, 0.72f};
+
+/// The state that captions describe.
+struct Described {
+    const Settings& settings;
+    const DisplacedSurface& surface;
 };
-/// Adds a legend in the lower left corner of a tile, the first row below the second.
-void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<std::vector<LegendEntry>>& rows);
+/// Writes the share of culled patches, and a legend of the colours. `more` is the number of triangles of culled
+/// patches, which are drawn here but not in the eye's picture. It is -1 if unknown.
+void describe_patches(Labels& labels, glm::ivec2 size, const Tile& tile, const Described& of, int more);
+
+/// Names the limits that keep the time of a picture in bounds, if any made it coarser. `most_level` is the largest
+/// level of the picture.
+void describe_limits(Labels& labels, glm::ivec2 size, const Tile& tile, const Described& of, float most_level);
 
 /// The eye and its field of view, as eight lines.
 class SightLines {

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "annotations.h"
-#include "framework/core/image/visualize.h"
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
@@ -43,7 +42,7 @@ public:
                 draw_above(frame.size, view, triangles);
             else
                 triangles = draw_eye(frame.size, view);
-        describe_limits(frame.size, views[0].tile);
+        describe_limits(labels_, frame.size, views[0].tile, {settings_, surface_}, most_level_);
         labels_.draw(frame);
     }
 
@@ -59,9 +58,6 @@ public:
     }
 
 private:
-    static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
-        faded_color{0.62f, 0.70f, 0.72f};
-
     /// A part of the picture, drawn by `seen`'s camera, with the levels and the culling for `eye`'s camera.
     struct View {
         Tile tile;
@@ -113,7 +109,7 @@ private:
     void draw_above(glm::ivec2 size, const View& view, int triangles) {
         const int with_culled = draw_picture(view, "PATCHES");
         sight_.draw(view.seen.camera, view.eye.camera, surface_.shape == DisplacedSurface::ground ? 15 : 3.5);
-        describe_patches(size, view.tile, triangles < 0 ? -1 : with_culled - triangles);
+        describe_patches(labels_, size, view.tile, {settings_, surface_}, triangles < 0 ? -1 : with_culled - triangles);
     }
 
     /// Draws the surface and, if asked for, the edges of its triangles. Returns the number of triangles.
@@ -234,37 +230,6 @@ private:
         const std::vector<glm::ivec2> holes = holes_in(sums, surface_.patches().is_closed);
         mark(labels_, size, view.tile, holes);
         labels_.caption(size, view.tile, -1, fmt::format("{} pixels are holes", holes.size()), {1.0f, 0.55f, 0.4f});
-    }
-
-    /// Writes the share of culled patches, and a legend of the colours. `more` is the number of triangles of culled
-    /// patches, which are drawn here but not in the eye's picture. It is -1 if unknown.
-    void describe_patches(glm::ivec2 size, const Tile& tile, int more) {
-        const bool is_even = settings_.spacing == 2;  // fractional-even takes level 1 for 2
-        const bool is_quad = surface_.corners() == 4;
-        const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
-        const size_t count = surface_.patches().patches();
-        if (more >= 0 && settings_.cull != Settings::cull_none)
-            labels_.caption(size, tile, 0,
-                            fmt::format("{:.0f} % of {} patches culled",
-                                        100.0 * more / each / double(std::max<size_t>(1, count)), count));
-        std::vector<LegendEntry> levels, others;
-        for (int octave = 0; octave < level_octaves; ++octave)  // the colours of surface.frag
-            levels.push_back({std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1))});
-        if (settings_.cull != Settings::cull_none) others.push_back({"outside", outside_color});
-        if (settings_.cull == Settings::cull_all && surface_.is_one_sided())
-            others.push_back({"facing away", away_color});
-        if (settings_.fade) others.push_back({"faded", faded_color});
-        add_legend(labels_, size, tile, {levels, others});
-    }
-
-    /// Names the limits that keep the time of a picture in bounds, if any made it coarser.
-    void describe_limits(glm::ivec2 size, const Tile& tile) {
-        std::string limits;
-        if (most_level_ < DisplacedSurface::finest_level) limits = fmt::format("levels up to {:.0f}", most_level_);
-        const int samples = densest_samples(surface_.patches().patches());
-        if (settings_.method == Settings::by_error && samples < densest_samples(1))
-            limits += fmt::format("{}errors from {} places a side", limits.empty() ? "" : ", ", samples);
-        if (!limits.empty()) labels_.caption(size, tile, 1, limits);
     }
 
     Programs program_{"common/patch.vert", "14_adaptive_displacement/patch.tesc",
