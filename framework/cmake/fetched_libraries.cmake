@@ -1,6 +1,6 @@
 # The libraries for a system other than this one, under the names that CMake's and pkg-config's files give them on Linux.
 # Libraries of headers are taken from this system's packages. The others are compiled from Debian's own source archives.
-include(FetchContent)
+include(framework/cmake/fetch.cmake)
 
 # A header needs a folder of its own: a cross compiler must not see any other header of this system.
 set(headers ${PROJECT_BINARY_DIR}/generated/headers)
@@ -33,20 +33,6 @@ endfunction()
 relief_version(glm glm/detail/setup.hpp "GLM_VERSION_(MAJOR|MINOR|PATCH|REVISION)[ \t]+[0-9]")
 relief_version(tomlplusplus toml++/impl/version.h "TOML_LIB_(MAJOR|MINOR|PATCH)")
 relief_version(fmt fmt/core.h "FMT_VERSION ")
-
-# Fetches a source archive of Debian 12. Nothing in it is added to the build here.
-function(relief_fetch name file hash)
-  FetchContent_Declare(${name} SOURCE_SUBDIR none URL_HASH SHA256=${hash} DOWNLOAD_EXTRACT_TIMESTAMP OFF
-    URL https://deb.debian.org/debian/pool/main/${file}
-    https://snapshot.debian.org/archive/debian/20251101T000000Z/pool/main/${file})
-  FetchContent_MakeAvailable(${name})
-  set(${name}_SOURCE_DIR ${${name}_SOURCE_DIR} PARENT_SCOPE)
-endfunction()
-function(relief_compile target alias)
-  add_library(${target} STATIC EXCLUDE_FROM_ALL ${ARGN})
-  add_library(${alias} ALIAS ${target})
-  target_compile_options(${target} PRIVATE -w)
-endfunction()
 
 relief_fetch(zlib z/zlib/zlib_1.2.13.dfsg.orig.tar.bz2 71feb7947e3c00ef125f83b79a4e529bde31171e5babe48b391f06758d1ab0a1)
 file(GLOB sources ${zlib_SOURCE_DIR}/*.c)

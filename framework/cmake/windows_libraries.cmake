@@ -10,13 +10,7 @@ relief_compile(relief_md4c PkgConfig::md4c ${md4c_SOURCE_DIR}/src/md4c.c)
 target_include_directories(relief_md4c SYSTEM PUBLIC ${md4c_SOURCE_DIR}/src)
 set(md4c_VERSION 0.4.8)
 
-relief_fetch(imgui i/imgui/imgui_1.86+ds.orig.tar.xz 0dace0e8e57d298eb6e93af12dc19420cb96330832f6495c733b90aeeef11f64)
-set(stem ${imgui_SOURCE_DIR}/imgui)
-relief_compile(relief_imgui PkgConfig::imgui ${stem}.cpp ${stem}_draw.cpp ${stem}_tables.cpp ${stem}_widgets.cpp
-  ${imgui_SOURCE_DIR}/backends/imgui_impl_glfw.cpp ${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp)
-target_include_directories(relief_imgui SYSTEM PUBLIC ${imgui_SOURCE_DIR})
-target_include_directories(relief_imgui SYSTEM PRIVATE ${imgui_SOURCE_DIR}/backends)
-
+include(framework/cmake/fetched_imgui.cmake)
 FetchContent_Declare(glfw URL_HASH SHA256=f30f42e05f11e5fc62483e513b0488d5bceeab7d9c5da0ffe2252ad81816c713
   URL https://deb.debian.org/debian/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
   https://snapshot.debian.org/archive/debian/20251101T000000Z/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
@@ -29,4 +23,3 @@ FetchContent_MakeAvailable(glfw)
 target_compile_options(glfw PRIVATE -w)
 target_link_libraries(relief_imgui PUBLIC glfw)
 set(glfw3_VERSION 3.3.8)
-set(imgui_VERSION 1.86)

@@ -15,6 +15,7 @@ namespace {
 class Script : public testing::Test {
 protected:
     TemporaryFolder folder_;
+    std::string usr_ = "/usr/bin:/bin";  ///< the folders of the tools that are no stand-ins
 
     void SetUp() override {
         namespace fs = std::filesystem;
@@ -22,7 +23,9 @@ protected:
         fs::create_directories(folder_.path() / "framework/cmake");
         fs::create_directories(folder_.path() / "tests");
         fs::copy(source / "relief", folder_.path());
-        fs::copy(source / "framework/cmake/packages.txt", folder_.path() / "framework/cmake");
+        for (const char* system : {"", "_fedora", "_arch", "_opensuse"})
+            fs::copy(source / ("framework/cmake/packages" + std::string(system) + ".txt"),
+                     folder_.path() / "framework/cmake");
         stand_in("cmake",
                  "mkdir -p build && touch build/build.ninja && "
                  "printf 'RELIEF_TESTS:BOOL=ON\\nCMAKE_HOME_DIRECTORY:INTERNAL=%s\\n' \"$PWD\" >build/CMakeCache.txt");
@@ -51,7 +54,7 @@ protected:
     }
     Result script(std::vector<std::string> arguments = {}) const {
         arguments.insert(arguments.begin(), {"bash", folder_.path() / "relief"});
-        return run(arguments, {"/", {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}, {"CI", ""}}});
+        return run(arguments, {"/", {{"PATH", (folder_.path() / "tools").string() + ":" + usr_}, {"CI", ""}}});
     }
     std::string calls() const {
         const std::string text = read_all(folder_.path() / "calls");
@@ -367,6 +370,106 @@ TEST_F(Script, WithoutRootOrSudoPrintsTheInstallCommandAndStops) {
               "relief: packages are missing; as root, run: apt-get update && apt-get install "
               "--no-install-recommends libglm-dev\n");
     EXPECT_FALSE(contains(calls(), "cmake"));
+}
+
+/// The stand-ins of a system without apt-get: its package manager, and a tool that knows what is installed.
+class OtherSystem : public Script {
+protected:
+    void SetUp() override {
+        namespace fs = std::filesystem;
+        Script::SetUp();
+        fs::remove(folder_.path() / "tools/apt-get");
+        fs::remove(folder_.path() / "tools/dpkg-query");
+        fs::create_directories(folder_.path() / "usr");
+        for (const auto& tool : fs::directory_iterator("/usr/bin")) {
+            const std::string name = tool.path().filename();
+            if (!name.starts_with("apt") && !name.starts_with("dpkg") && name != "npm")
+                fs::create_symlink(tool.path(), folder_.path() / "usr" / name);
+        }
+        usr_ = (folder_.path() / "usr").string();
+    }
+    /// Adds a package manager, and makes all packages appear installed except `but` (a pattern for grep).
+    void manager(const std::string& name, const std::string& but) const {
+        stand_in(name,
+                 name == "pacman" ? "[[ $1 != -T ]] || ! printf '%s\\n' \"${@:2}\" | grep -xE '" + but + "'" : "");
+        if (name != "pacman") stand_in("rpm", "! grep -qxE '" + but + "' <<<\"${@: -1}\"");
+    }
+};
+
+TEST_F(OtherSystem, InstallsTheMissingPackagesUnderTheSystemsNames) {
+    const std::string fedora = "dnf install --setopt=install_weak_deps=False -y ";
+    for (const auto& [name, but, command] : std::vector<std::array<std::string, 3>>{
+             {"dnf", "glad2|glm-devel|gtest-devel", fedora + "glad2 glm-devel\n"},
+             {"zypper", "Mesa-dri|fmt-devel|gtest", "zypper install --no-recommends -y Mesa-dri fmt-devel\n"},
+             {"pacman", "ninja|glfw|gtest", "pacman -S --needed --noconfirm ninja glfw\n"}}) {
+        std::filesystem::remove_all(folder_.path() / "build");
+        manager(name, but);
+        const Result result = script({"list"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_TRUE(result.err.starts_with("relief: installing 2 packages: ")) << result.err;
+        std::string called = calls();
+        EXPECT_TRUE(contains(called, command)) << called;
+        EXPECT_LT(called.find(command), called.find("cmake -S")) << called;
+        EXPECT_FALSE(contains(called, "apt-get")) << called;
+        EXPECT_EQ(script({"test"}).code, 0);
+        called = calls();
+        EXPECT_TRUE(contains(called, name == "dnf" ? " gtest-devel\n" : " gtest\n")) << called;
+        std::filesystem::remove(folder_.path() / "tools" / name);
+    }
+}
+
+TEST_F(OtherSystem, InstallsNothingIfAllIsThere) {
+    for (const char* name : {"dnf", "zypper", "pacman"}) {
+        std::filesystem::remove_all(folder_.path() / "build");
+        manager(name, "none");
+        EXPECT_EQ(script({"build"}).err, "relief: configuring\nrelief: building, 7 steps\n");
+        const std::string called = calls();
+        EXPECT_FALSE(contains(called, " install ") || contains(called, "pacman -S")) << called;
+        std::filesystem::remove(folder_.path() / "tools" / name);
+    }
+}
+
+TEST_F(OtherSystem, WithoutRootOrSudoPrintsItsOwnInstallCommandAndStops) {
+    stand_in("id", "echo 1000");
+    for (const auto& [name, command] :
+         std::map<std::string, std::string>{{"dnf", "dnf install --setopt=install_weak_deps=False cmake git\n"},
+                                            {"zypper", "zypper install --no-recommends cmake git\n"},
+                                            {"pacman", "pacman -S --needed cmake git\n"}}) {
+        manager(name, "cmake|git");
+        const Result result = script({"list"});
+        EXPECT_EQ(result.code, 1);
+        EXPECT_EQ(result.err, "relief: packages are missing; as root, run: " + command);
+        EXPECT_FALSE(contains(calls(), "cmake -S"));
+        std::filesystem::remove(folder_.path() / "tools" / name);
+    }
+}
+
+TEST_F(OtherSystem, WithAnUnknownPackageManagerPrintsDebiansNamesAndBuilds) {
+    const Result result = script({"list"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(
+        result.err.starts_with("relief: there is no apt-get, dnf, pacman or zypper here: install what Debian "
+                               "calls g++ cmake ninja-build "))
+        << result.err;
+    EXPECT_EQ(result.out, "ran: list\n");
+    EXPECT_EQ(script({"list"}).err, "") << "only once";
+}
+
+TEST_F(OtherSystem, EachListHasOnePurposeAndOnePackageALineForAllThatAUserNeeds) {
+    for (const char* system : {"fedora", "arch", "opensuse"}) {
+        std::istringstream lines(
+            read_all(folder_.path() / "framework/cmake" / ("packages_" + std::string(system) + ".txt")));
+        std::set<std::string> purposes, packages;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("#")) continue;
+            std::smatch parts;
+            ASSERT_TRUE(std::regex_match(line, parts, std::regex("([a-z]+) ([A-Za-z0-9_+-]+)")))
+                << system << ": " << line;
+            purposes.insert(parts[1]);
+            EXPECT_TRUE(packages.insert(parts[2]).second) << system << ": " << line;
+        }
+        EXPECT_EQ(purposes, (std::set<std::string>{"build", "pictures", "slides", "staff", "test"})) << system;
+    }
 }
 
 // Most of the packages and half of the build are for the staff, or for rare files.
