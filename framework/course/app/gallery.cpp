@@ -226,7 +226,9 @@ private:
             if (!method.error) continue;
             page.map_size = {method.error->width, method.error->height};
             shown.error_map = put(name + "-error.png", pages::error_map(comparison, *method.error));
-            shown.error = amount_of(method.summary.mean, comparison.probe->unit);
+            const double mean = method.summary.mean;
+            shown.error = mean > 0 && mean < 1e-6 ? "under 0.000001 " + plural(comparison.probe->unit)
+                                                  : amount_of(mean, comparison.probe->unit);
         }
     }
 

@@ -45,6 +45,46 @@ List tiles_of_captions(std::span<const PictureWord> words) {
     return tiles;
 }
 
+bool same_height(const PictureWord& a, const PictureWord& b) {
+    return std::abs(a.place.y - b.place.y) < 0.5f * std::max(a.size.y, b.size.y);
+}
+
+/// Returns true for a small box beside a line of text, which shows the colour that the line is about.
+bool is_swatch(const PictureWord& word, const PictureWord& text) {
+    const float middle = text.place.y + 0.5f * text.size.y;
+    return word.kind == PictureWord::Kind::box && word.size.y < 2 * text.size.y && word.place.x < text.place.x &&
+           word.place.y < middle && middle < word.place.y + word.size.y;
+}
+
+/// Returns the texts by height, each line with its swatches. Narrow screens show the lines below the picture.
+List lines_of_texts(std::span<const PictureWord> words) {
+    std::vector<std::vector<PictureWord>> lines;
+    for (const PictureWord& word : words) {
+        if (word.kind != PictureWord::Kind::text || word.text.empty()) continue;
+        const auto line = std::find_if(lines.begin(), lines.end(),
+                                       [&](const auto& other) { return same_height(other.front(), word); });
+        if (line == lines.end())
+            lines.push_back({word});
+        else
+            line->push_back(word);
+    }
+    List list;
+    for (const std::vector<PictureWord>& line : lines) {
+        List swatches, texts;
+        for (const PictureWord& word : words)
+            if (is_swatch(word, line.front()))
+                swatches.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
+        for (const PictureWord& word : line) {
+            const std::string style = fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%);--high:{:.2f}",
+                                                  percent(word.place.x), percent(word.place.y), color_of(word.color),
+                                                  -100 * word.anchor, 100 * word.size.y);
+            texts.push_back(Fields{{"text", word.text}, {"style", style}});
+        }
+        list.push_back(Fields{{"swatches", std::move(swatches)}, {"texts", std::move(texts)}});
+    }
+    return list;
+}
+
 /// Returns a text with the degree sign in place of the sign for it in labels.
 std::string said(const std::string& text) {
     std::string result;
@@ -55,16 +95,16 @@ std::string said(const std::string& text) {
 Fields fields_of(std::span<const PictureWord> drawn) {
     std::vector<PictureWord> words(drawn.begin(), drawn.end());
     for (PictureWord& word : words) word.text = said(word.text), word.end = said(word.end);
-    List boxes, texts;
+    const auto has_line = [&](const PictureWord& box) {
+        return std::any_of(words.begin(), words.end(), [&](const PictureWord& word) {
+            return word.kind == PictureWord::Kind::text && !word.text.empty() && is_swatch(box, word);
+        });
+    };
+    List boxes;
     Value scale;
     for (const PictureWord& word : words) {
-        if (word.kind == PictureWord::Kind::box) {
+        if (word.kind == PictureWord::Kind::box && !has_line(word)) {
             boxes.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
-        } else if (word.kind == PictureWord::Kind::text && !word.text.empty()) {
-            const std::string style = fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%);--high:{:.2f}",
-                                                  percent(word.place.x), percent(word.place.y), color_of(word.color),
-                                                  -100 * word.anchor, 100 * word.size.y);
-            texts.push_back(Fields{{"text", word.text}, {"style", style}});
         } else if (word.kind == PictureWord::Kind::scale) {
             List ticks;
             for (int tick = 1; tick < word.parts; ++tick)
@@ -72,7 +112,7 @@ Fields fields_of(std::span<const PictureWord> drawn) {
             scale = Fields{{"low", word.text}, {"high", word.end}, {"ticks", std::move(ticks)}};
         }
     }
-    return {{"tiles", tiles_of_captions(words)}, {"boxes", boxes}, {"texts", texts}, {"scale", scale}};
+    return {{"tiles", tiles_of_captions(words)}, {"boxes", boxes}, {"lines", lines_of_texts(words)}, {"scale", scale}};
 }
 
 }  // namespace

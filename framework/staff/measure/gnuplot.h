@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace relief::measure {
 
@@ -28,10 +29,11 @@ std::string gnuplot_panels(const std::string& title, std::span<const std::string
 struct PanelStyle {
     glm::ivec2 size{440, 340};
     int title = 12, axes = 11, names = 9;
-    bool all_names = false;     ///< also name the pale points
-    bool direct_names = false;  ///< name the curves of a sweep at their ends instead of in a legend
-    std::string note = {};      ///< after the title, such as "quick run"
-    int legend = 0;             ///< height of a legend below the axis, as part of `size`
+    bool all_names = false;             ///< also name the pale points
+    bool direct_names = false;          ///< name the curves of a sweep at their ends instead of in a legend
+    std::string note = {};              ///< after the title, such as "quick run"
+    std::vector<size_t> numbered = {};  ///< rows whose names are their places in this list, from 1 on
+    int legend = 0;                     ///< height of a legend below the axis, as part of `size`
 };
 
 /// Returns a script of one panel.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -56,6 +57,7 @@ public:
     }
 
 private:
+    std::string label(size_t place) const { return point_label(rows_[place], place, style_); }
     double time(size_t place) const { return rows_[place].times.median * scale_; }
 
     /// A log axis of less than two decades needs more tics than its powers of ten.
@@ -171,7 +173,7 @@ private:
         std::map<size_t, size_t> named;
         const auto name = [&](size_t place) {
             const glm::dvec2 point = place_of(place, all);
-            const double length = width(short_name(rows_[place]));
+            const double length = width(label(place));
             const size_t first = point.x > 0.7 * plot_size().x ? 1 : 0;
             for (const size_t i : {first, 1 - first, 2 + first, 3 - first}) {
                 const glm::dvec2 near = point + glm::dvec2(0.7 * sides[i].x, 1.5 * sides[i].y) * double(style_.axes);
@@ -206,7 +208,7 @@ private:
             const auto found = named.find(place);
             std::string names;
             for (size_t side = 0; side < sides.size(); ++side)
-                names += " " + gnuplot_text(found != named.end() && found->second == side ? short_name(row) : "");
+                names += " " + gnuplot_text(found != named.end() && found->second == side ? label(place) : "");
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
             blocks[row.peer          ? "peers"
                    : is_front(place) ? "front"
@@ -338,6 +340,30 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
     for (size_t i = 0; i < places.size(); ++i)
         if (is_front[i]) front.push_back(places[i]);
     return front;
+}
+
+std::string point_label(const BenchRow& row, size_t place, const PanelStyle& style) {
+    const auto found = std::find(style.numbered.begin(), style.numbered.end(), place);
+    return found == style.numbered.end() ? short_name(row) : std::to_string(found - style.numbered.begin() + 1);
+}
+
+std::vector<size_t> numbered_rows(const BenchTopic& topic, std::span<const BenchRow> rows,
+                                  const std::vector<size_t>& scene) {
+    std::vector<size_t> numbered;
+    if (topic.sweeps) {
+        std::copy_if(scene.begin(), scene.end(), std::back_inserter(numbered),
+                     [&](size_t place) { return rows[place].sweep && !rows[place].sweep->places.empty(); });
+        return numbered;
+    }
+    if (!has_errors(rows, scene)) return {};
+    numbered = front_of(rows, scene);
+    for (const size_t place : scene)
+        if (rows[place].peer && is_timed(rows[place]) && !rows[place].error.unit.empty() &&
+            std::find(numbered.begin(), numbered.end(), place) == numbered.end())
+            numbered.push_back(place);
+    std::stable_sort(numbered.begin(), numbered.end(),
+                     [&](size_t a, size_t b) { return rows[a].times.median < rows[b].times.median; });
+    return numbered;
 }
 
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,

@@ -28,6 +28,14 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine);
 
+/// Returns a row's name in a plot: its number in `style.numbered`, or else its short name.
+std::string point_label(const BenchRow& row, size_t place, const PanelStyle& style);
+
+/// Returns the rows whose names a narrow plot replaces by numbers, in the order of these numbers: the Pareto front and
+/// the peers by time, or all curves of a sweep. None for bars, which have room for their names.
+std::vector<size_t> numbered_rows(const BenchTopic& topic, std::span<const BenchRow> rows,
+                                  const std::vector<size_t>& scene);
+
 /// Returns a plot of one scene, with as many names as there is room for. Names of its elements begin with `name`.
 std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const std::vector<size_t>& scene, const PanelStyle& style,

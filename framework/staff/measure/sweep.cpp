@@ -115,9 +115,11 @@ private:
         return join(all, ", ");
     }
 
+    std::string label(size_t row) const { return point_label(rows_[row], row, style_); }
+
     double names_width() const {
         size_t longest = 0;
-        for (const size_t row : places_) longest = std::max(longest, short_name(rows_[row]).size());
+        for (const size_t row : places_) longest = std::max(longest, label(row).size());
         return 0.62 * style_.names * double(longest) + 14;
     }
 
@@ -144,7 +146,7 @@ private:
             text += fmt::format(
                 "set label {} at graph 1.05,graph {:.3f} left font ',{}' textcolor rgb '{}' noenhanced\n"
                 "set arrow from first {},graph {:.3f} to graph 1.04,graph {:.3f} nohead lw 0.7 lc rgb '{}'\n",
-                gnuplot_text(short_name(rows_[order[i]])), at[i], style_.names, look.color,
+                gnuplot_text(label(order[i])), at[i], style_.names, look.color,
                 rows_[order[i]].sweep->places.back().hardness, end_of(order[i]), at[i], look.color);
         }
         return text;

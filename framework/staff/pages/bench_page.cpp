@@ -82,7 +82,7 @@ public:
         Value chief_plot;
         for (const std::vector<size_t>& scene : measure::scenes_of(result_.rows)) {
             Fields fields = table(scene);
-            const Value plot = plot_of(scenes.size());
+            const Value plot = plot_of(scenes.size(), scene);
             (scene == chief ? chief_plot : fields["plot"]) = plot;
             scenes.emplace_back(std::move(fields));
         }
@@ -104,11 +104,16 @@ public:
     }
 
 private:
-    /// Returns both plots of a scene, or nothing.
-    Value plot_of(size_t scene) const {
-        if (scene >= result_.scenes.size() || result_.scenes[scene].broad.empty()) return {};
-        return Fields{{"broad", drawing(result_.scenes[scene].broad)},
-                      {"narrow", drawing(result_.scenes[scene].narrow)}};
+    /// Returns both plots of a scene, and the names of the numbers in the narrow one; or nothing.
+    Value plot_of(size_t number, const std::vector<size_t>& scene) const {
+        if (number >= result_.scenes.size() || result_.scenes[number].broad.empty()) return {};
+        List key;
+        for (const size_t row : measure::numbered_rows(*result_.topic, result_.rows, scene))
+            key.push_back(Fields{{"name", result_.rows[row].method + " " + measure::knob_text(result_.rows[row].knobs)},
+                                 {"kind", result_.rows[row].peer ? "peer" : ""}});
+        return Fields{{"broad", drawing(result_.scenes[number].broad)},
+                      {"narrow", drawing(result_.scenes[number].narrow)},
+                      {"key", rows(std::move(key))}};
     }
 
     Fields table(const std::vector<size_t>& scene) const {
@@ -284,7 +289,14 @@ bool draw_plots(TopicResult& result) {
                                  .direct_names = true,
                                  .note = note},
                                 "-broad"),
-                   narrow = draw({.size = {324, 400}, .title = 15, .axes = 15, .names = 15, .note = note}, "-narrow");
+                   narrow = draw({.size = {324, 400},
+                                  .title = 15,
+                                  .axes = 15,
+                                  .names = 15,
+                                  .direct_names = true,
+                                  .note = note,
+                                  .numbered = measure::numbered_rows(*result.topic, result.rows, scene)},
+                                 "-narrow");
         result.scenes.push_back({broad.value_or(""), narrow.value_or("")});
     }
     return true;

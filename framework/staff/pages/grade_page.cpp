@@ -122,16 +122,20 @@ List outcome_counts(const Counts& of, check::Outcome first) {
     return list;
 }
 
-Fields points_cell(double points, int of, const char* instead = "") {
-    return {{"share", *instead || of == 0 ? "" : fmt::format("{:.0f}", 100 * points / of)},
-            {"points", check::points_text(points)},
+Fields points_cell(const std::string& column, double points, int of, const char* instead = "") {
+    return {{"column", column},
+            {"share", *instead || of == 0 ? "" : fmt::format("{:.0f}", 100 * points / of)},
+            {"points", points_shown(points)},
             {"of", of},
             {"instead", *instead ? instead : "–"}};
 }
 
 Fields cell_of(const grade::LabStanding& lab) {
     const bool is_missing = !lab.handed_in && lab.points() == 0;
-    return points_cell(lab.points(), lab.of(), is_missing ? "–" : lab.marked ? "" : "not graded");
+    return points_cell("lab " + number_of(lab.lab), lab.points(), lab.of(),
+                       is_missing   ? "–"
+                       : lab.marked ? ""
+                                    : "not graded");
 }
 
 /// Returns a row of the class table: points by lab, counts of check outcomes, recognised mistakes, and adjustments by
@@ -150,29 +154,36 @@ Fields line_of(const grade::Standing& standing) {
             }
     List remarks;
     for (const std::string& remark : standing.remarks()) remarks.push_back(remark);
-    return {{"page", page_file(standing.name, PageFor::instructor).string()},
-            {"name", standing.student.student},
-            {"full_name", grade::printable(standing.student.name)},
-            {"stranger", !standing.on_roster},
-            {"total", points_cell(standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
-            {"cells", std::move(cells)},
-            {"problem", standing.mark ? standing.mark->problem : standing.state()},
-            {"all_passed", all > 0 && of[size_t(check::Outcome::passed)] == all},
-            {"outcomes", outcome_counts(of, check::Outcome(1))},
-            {"mistakes", List(mistakes.begin(), mistakes.end())},
-            {"remarks", rows(std::move(remarks))}};
+    return {
+        {"page", page_file(standing.name, PageFor::instructor).string()},
+        {"name", standing.student.student},
+        {"full_name", grade::printable(standing.student.name)},
+        {"stranger", !standing.on_roster},
+        {"total", points_cell("points", standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
+        {"cells", std::move(cells)},
+        {"problem", standing.mark ? standing.mark->problem : standing.state()},
+        {"all_passed", all > 0 && of[size_t(check::Outcome::passed)] == all},
+        {"outcomes", outcome_counts(of, check::Outcome(1))},
+        {"mistakes", List(mistakes.begin(), mistakes.end())},
+        {"remarks", rows(std::move(remarks))}};
 }
 
 List labs_with_checks(const ClassCounts& counts) {
     List labs;
     for (const auto& [lab, known] : counts.checks) {
-        List checks;
+        List checks, passed;
         for (const ClassCounts::OfCheck& check : known)
-            checks.push_back(Fields{{"task", check.task},
-                                    {"name", check.name},
-                                    {"hidden", check.hidden},
-                                    {"outcomes", outcome_counts(check.of, check::Outcome::passed)}});
-        labs.push_back(Fields{{"number", number_of(lab)}, {"title", lab_title(lab)}, {"checks", std::move(checks)}});
+            (check.passed() < check.all() ? checks : passed)
+                .push_back(Fields{{"task", check.task},
+                                  {"name", check.name},
+                                  {"hidden", check.hidden},
+                                  {"outcomes", outcome_counts(check.of, check::Outcome::passed)}});
+        const std::string counted = count_of(passed.size(), checks.empty() ? "check" : "other check");
+        labs.push_back(Fields{{"number", number_of(lab)},
+                              {"title", lab_title(lab)},
+                              {"checks", rows(std::move(checks))},
+                              {"passed_by_all", passed.empty() ? "" : counted},
+                              {"passed", std::move(passed)}});
     }
     return labs;
 }

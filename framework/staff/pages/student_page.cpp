@@ -42,7 +42,7 @@ private:
         return {{"number", number_of(lab.lab)},
                 {"title", lab_title(lab.lab)},
                 {"graded", lab.graded()},
-                {"points", check::points_text(lab.points())},
+                {"points", points_shown(lab.points())},
                 {"no_points", lab.points() == 0},
                 {"of", lab.max_points()},
                 {"log", lab.log},
@@ -51,6 +51,7 @@ private:
 
     Fields of(const grade::LabMark& lab, const grade::TaskMark& task) {
         check::Outcome worst = check::Outcome::passed;
+        task_has_pictures_ = false;
         List checks;
         for (const grade::CheckMark& check : task.checks) {
             worst = std::max(worst, check.outcome);
@@ -61,7 +62,7 @@ private:
         return {{"id", task.id},
                 {"title", task.title},
                 {"file", task.file},
-                {"points", check::points_text(task.points)},
+                {"points", points_shown(task.points)},
                 {"of", task.of},
                 {"worst", badge(worst)},
                 {"mistake", task.hint.empty() ? "" : task.mistake},
@@ -78,7 +79,10 @@ private:
         const bool hidden_view = open && shown && shown->hidden_view;
         any_hidden_ |= hidden_view;
         lost_pictures_ |= open && !shown && wrong;
+        const bool unfolded = !(shown && task_has_pictures_);
+        task_has_pictures_ |= open && shown;
         return {{"open", open},
+                {"unfolded", unfolded},
                 {"badge", badge(check.outcome)},
                 {"name", check.name},
                 {"hidden", check.hidden},
@@ -108,6 +112,7 @@ private:
         Fields outcome = badge(check.outcome);
         if (check.hidden && passed) outcome["words"] = "hidden check: passed";
         return {{"open", !passed},
+                {"unfolded", true},
                 {"badge", std::move(outcome)},
                 {"name", !check.hidden ? check.name
                          : passed      ? ""
@@ -147,7 +152,7 @@ private:
                 if (task.points < task.of)
                     tasks.push_back(Fields{{"id", task.id},
                                            {"title", task.title},
-                                           {"points", check::points_text(task.points)},
+                                           {"points", points_shown(task.points)},
                                            {"of", task.of},
                                            {"hint", rows(with_code(task.hint).list)}});
         }
@@ -166,6 +171,7 @@ private:
     const std::vector<grade::CheckPictures>& pictures_;
     bool for_student_;
     bool any_hidden_ = false, lost_pictures_ = false;
+    bool task_has_pictures_ = false;  ///< only the first pictures of a task are unfolded
 };
 
 }  // namespace
@@ -185,6 +191,13 @@ std::string lab_title(const std::string& folder) {
     std::string words = at == std::string::npos ? folder : folder.substr(at + 1);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
+}
+
+std::string points_shown(double points) {
+    std::string text = fmt::format("{:.2f}", points);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
 }
 
 std::string count_of(size_t count, const std::string& what) {

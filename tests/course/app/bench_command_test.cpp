@@ -262,6 +262,7 @@ TEST(BenchPage, LabelsNeverOverlapInWideOrNarrowPlots) {
                 const boxes = [...plot.querySelectorAll('text')].filter(text => text.textContent.trim())
                     .map(text => [text.textContent.trim(), text.getBoundingClientRect()]).filter(one => one[1].width > 0);
                 names += boxes.filter(one => one[0].startsWith('oct16')).length;
+                if (boxes.length) names += plot.parentElement.querySelectorAll('.key li').length;
                 boxes.forEach(([one, a], i) => boxes.slice(0, i).forEach(([other, b]) => {
                     if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
                         Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3) overlaps.push(one + ' on ' + other);
@@ -338,6 +339,25 @@ TEST(BenchPage, SaysThatARunWasQuickInThePlotItself) {
         EXPECT_EQ(browser().eval("[...document.querySelectorAll('.broad, .narrow')].filter(one => "
                                  "one.textContent.includes('quick run')).length"),
                   page == &quick ? 4 : 0);
+    }
+}
+
+TEST(BenchPage, NarrowPlotsHaveNumbersWithAKeyBelow) {
+    const Page one;
+    const CrowdedPage many;
+    for (const std::filesystem::path& page : {one.file, many.file}) {
+        browser().open(page);
+        const nlohmann::json keys = browser().eval(R"([...document.querySelectorAll('.narrow:has(.key)')].map(plot => {
+            const words = [...plot.querySelectorAll('svg text')].map(text => text.textContent.trim());
+            const names = [...plot.querySelectorAll('.key li')].map(name => name.textContent.trim());
+            return {numbered: words.includes('1'), named: names.filter(name =>
+                words.includes(name)).length};
+        }))");
+        ASSERT_FALSE(keys.empty());
+        for (const nlohmann::json& key : keys) {
+            EXPECT_TRUE(key["numbered"]) << page;
+            EXPECT_EQ(key["named"], 0) << "the plot itself has no names: " << page;
+        }
     }
 }
 

@@ -28,6 +28,21 @@ TEST(PictureWords, PlaceATextByItsAnchorAndEscapeIt) {
     EXPECT_NE(shown.find("a &lt; b"), std::string::npos) << shown;
 }
 
+TEST(PictureWords, OfOneHeightAreALineWithItsColor) {
+    const PictureWord name{.place = {0.7f, 0.5f}, .size = {0, 0.03f}, .text = "Brick"};
+    PictureWord number = name, next = name;
+    number.place.x = 0.9f, number.text = "140", next.place.y = 0.55f, next.text = "Stone";
+    const PictureWord swatch{.kind = Kind::box, .place = {0.68f, 0.5f}, .size = {0.01f, 0.03f}, .color = {1, 0, 0, 1}};
+    const PictureWord plate{.kind = Kind::box, .place = {0.6f, 0.4f}, .size = {0.4f, 0.6f}, .color = {0, 0, 1, 1}};
+    const std::string shown = picture_words_markup(std::vector{plate, swatch, name, next, number});
+    const size_t line = shown.find("class=\"line\""), red = shown.find("rgb(255 0 0"), brick = shown.find("Brick"),
+                 count = shown.find("140"), second = shown.find("class=\"line\"", count), stone = shown.find("Stone");
+    ASSERT_NE(stone, std::string::npos) << shown;
+    EXPECT_TRUE(line < red && red < brick && brick < count && count < second && second < stone) << shown;
+    EXPECT_LT(shown.find("rgb(0 0 255"), line) << "a plate behind all lines is no swatch: " << shown;
+    EXPECT_EQ(shown.find("rgb(255 0 0", red + 1), std::string::npos) << shown;
+}
+
 TEST(PictureWords, OfAnErrorMapAreAScaleWithNumbers) {
     const std::string shown = picture_words_markup(std::vector{error_map_scale("2.5 texels")});
     EXPECT_NE(shown.find("class=\"heat\"><span>0</span>"), std::string::npos) << shown;

@@ -203,5 +203,44 @@ TEST(StudentPage, ShowsAHintOncePerTask) {
     EXPECT_EQ(page.find("mind the sign", first + 1), std::string::npos);
 }
 
+TEST(StudentPage, UnfoldsTheFirstPicturesOfATaskAndFoldsTheRest) {
+    grade::SubmissionMark mark = some_submission();
+    grade::TaskMark& task = mark.labs[0].tasks[0];
+    const Manifest manifest = some_manifest();
+    std::vector<grade::CheckPictures> pictures;
+    for (size_t i = 0; i < task.checks.size(); ++i) {
+        task.checks[i].name = "check " + std::to_string(i), task.checks[i].outcome = check::Outcome::wrong;
+        CheckInfo check;
+        check.task = task.id, check.name = task.checks[i].name;
+        pictures.push_back({mark.labs[0].lab, &manifest, check, false, Image(2, 2, 3, 0.5f), Image(2, 2, 3, 0.25f)});
+    }
+    const std::string page = student_page(mark, pictures, PageFor::instructor), open = "<details class=\"check\" open>";
+    const size_t first = page.find(open);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(page.find(open, first + 1), std::string::npos);
+    EXPECT_LT(first, page.find("check 0"));
+    EXPECT_NE(page.find("<details class=\"check\">"), std::string::npos);
+}
+
+TEST(StudentPage, RoundsPointsToTwoDecimals) {
+    EXPECT_EQ(points_shown(4.0 / 3), "1.33");
+    EXPECT_EQ(points_shown(20.6), "20.6");
+    EXPECT_EQ(points_shown(10), "10");
+    EXPECT_EQ(points_shown(0), "0");
+}
+
+TEST(ClassPage, FoldsTheChecksThatEverybodyPassed) {
+    grade::ClassReport report;
+    report.marks = {some_submission()};
+    std::vector<grade::CheckMark>& checks = report.marks[0].labs[0].tasks[0].checks;
+    for (size_t i = 0; i < checks.size(); ++i) checks[i].name = "check " + std::to_string(i);
+    const std::string page = class_page(report);
+    const size_t list = page.find("<details class=\"fold\">");
+    ASSERT_NE(list, std::string::npos);
+    EXPECT_GT(page.find("check 0"), list) << "the check that passed";
+    EXPECT_LT(page.find("check 1"), list);
+    EXPECT_NE(page.find("1 other check passed by all"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace relief::pages
