@@ -15,14 +15,16 @@ struct LegendEntry {
 
 /// Adds a legend in the lower left corner of a tile, the first row below the second.
 void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<std::vector<LegendEntry>>& rows) {
-    const float line = std::min(Labels::line_height(size) * 0.75f, 0.06f * float(tile.size.y)), gap = line * 0.25f;
+    // Words that are laid over a picture do not shrink with it, and are wider.
+    const float small = has_words() ? 0.75f : 0.9f, wide = has_words() ? 1 : 1.25f;
+    const float line = std::min(Labels::line_height(size) * small, 0.06f * float(tile.size.y)), gap = line * 0.25f;
     glm::vec2 place(0, float(size.y - tile.corner.y));
     for (const auto& row : rows) {
         place = {float(tile.corner.x) + gap * 2, place.y - line - gap};
         for (const auto& [text, color] : row) {
             labels.rectangle(place, {line, line}, glm::vec4(color, 1));
             labels.text(text, place + glm::vec2(line * 1.25f, 0), line);
-            place.x += line * 1.75f + Labels::width(text, line);
+            place.x += line * 1.75f + wide * Labels::width(text, line);
         }
     }
 }

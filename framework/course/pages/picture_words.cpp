@@ -56,31 +56,45 @@ bool is_swatch(const PictureWord& word, const PictureWord& text) {
            word.place.y < middle && middle < word.place.y + word.size.y;
 }
 
-/// Returns the texts by height, each line with its swatches. Narrow screens show the lines below the picture.
-List lines_of_texts(std::span<const PictureWord> words) {
-    std::vector<std::vector<PictureWord>> lines;
+/// Returns the texts that have one height, from left to right, for each height.
+std::vector<std::vector<PictureWord>> texts_by_height(std::span<const PictureWord> words) {
+    std::vector<std::vector<PictureWord>> rows;
     for (const PictureWord& word : words) {
         if (word.kind != PictureWord::Kind::text || word.text.empty()) continue;
-        const auto line = std::find_if(lines.begin(), lines.end(),
-                                       [&](const auto& other) { return same_height(other.front(), word); });
-        if (line == lines.end())
-            lines.push_back({word});
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return same_height(other.front(), word); });
+        if (row == rows.end())
+            rows.push_back({word});
         else
-            line->push_back(word);
+            row->push_back(word);
     }
+    for (auto& row : rows)
+        std::stable_sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.place.x < b.place.x; });
+    return rows;
+}
+
+/// Returns the lines of texts. A line begins with a swatch and ends before the next one. Narrow screens show the lines
+/// below the picture.
+List lines_of_texts(std::span<const PictureWord> words) {
     List list;
-    for (const std::vector<PictureWord>& line : lines) {
+    for (const std::vector<PictureWord>& row : texts_by_height(words)) {
         List swatches, texts;
-        for (const PictureWord& word : words)
-            if (is_swatch(word, line.front()))
-                swatches.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
-        for (const PictureWord& word : line) {
+        const auto end_line = [&] {
+            if (!texts.empty()) list.push_back(Fields{{"swatches", std::move(swatches)}, {"texts", std::move(texts)}});
+            swatches = {}, texts = {};
+        };
+        for (size_t i = 0; i < row.size(); ++i) {
+            List own;
+            for (const PictureWord& word : words)
+                if (is_swatch(word, row[i]) && (i == 0 || !is_swatch(word, row[i - 1])))
+                    own.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
+            if (!own.empty()) end_line(), swatches = std::move(own);
             const std::string style = fmt::format("left:{};top:{};color:{};transform:translateX({:.0f}%);--high:{:.2f}",
-                                                  percent(word.place.x), percent(word.place.y), color_of(word.color),
-                                                  -100 * word.anchor, 100 * word.size.y);
-            texts.push_back(Fields{{"text", word.text}, {"style", style}});
+                                                  percent(row[i].place.x), percent(row[i].place.y),
+                                                  color_of(row[i].color), -100 * row[i].anchor, 100 * row[i].size.y);
+            texts.push_back(Fields{{"text", row[i].text}, {"style", style}});
         }
-        list.push_back(Fields{{"swatches", std::move(swatches)}, {"texts", std::move(texts)}});
+        end_line();
     }
     return list;
 }

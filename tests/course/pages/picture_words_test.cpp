@@ -43,6 +43,21 @@ TEST(PictureWords, OfOneHeightAreALineWithItsColor) {
     EXPECT_EQ(shown.find("rgb(255 0 0", red + 1), std::string::npos) << shown;
 }
 
+TEST(PictureWords, OfALegendInOneRowAreALineForEachColor) {
+    const PictureWord one{.place = {0.1f, 0.9f}, .size = {0, 0.05f}, .text = "one"};
+    PictureWord two = one;
+    two.place.x = 0.4f, two.text = "two";
+    const PictureWord red{.kind = Kind::box, .place = {0.05f, 0.9f}, .size = {0.04f, 0.05f}, .color = {1, 0, 0, 1}};
+    PictureWord green = red;
+    green.place.x = 0.35f, green.color = {0, 1, 0, 1};
+    const std::string shown = picture_words_markup(std::vector{two, one, red, green});
+    const size_t first = shown.find("rgb(255 0 0"), second = shown.find("rgb(0 255 0"),
+                 line = shown.find("line", first);
+    ASSERT_NE(second, std::string::npos) << shown;
+    EXPECT_TRUE(first < shown.find("one") && shown.find("one") < line && line < second && second < shown.find("two"))
+        << shown;
+}
+
 TEST(PictureWords, OfAnErrorMapAreAScaleWithNumbers) {
     const std::string shown = picture_words_markup(std::vector{error_map_scale("2.5 texels")});
     EXPECT_NE(shown.find("class=\"heat\"><span>0</span>"), std::string::npos) << shown;
