@@ -53,13 +53,17 @@ vec2 map_uv() {
 #endif
 }
 
+mat3 world_from_surface() {
+#ifdef MODEL_SPACE
+    return mat3(1.0);  // the fault that view = turned shows
+#else
+    return mat3(u_world_from_model);
+#endif
+}
+
 //(frame
 mat3 frame_here(vec3 normal) {
-#ifdef MODEL_SPACE
-    mat3 m = mat3(1.0);
-#else
-    mat3 m = mat3(u_world_from_model);
-#endif
+    mat3 m = world_from_surface();
     vec3 tangent = v_tangent.xyz;
 #if defined TURNED && !defined TANGENT_STAYS
     tangent = turned_tangent(tangent, v_tangent.w * cross(v_normal, tangent), u_turn);

@@ -136,7 +136,7 @@ TEST_F(Script, ForwardsHelpToABuiltProgramAndRebuildsItForLabKnobs) {
 }
 
 /// Returns the lines of a help that begin with two spaces and a word, as "word: the rest".
-std::set<std::string> commands_in(std::string help, const std::string& heading) {
+std::set<std::string> commands_in(const std::string& help, const std::string& heading) {
     std::set<std::string> found;
     std::istringstream lines(help.substr(help.find(heading)));
     for (std::string line; std::getline(lines, line);) {

@@ -41,7 +41,7 @@ TEST(MarkdownPage, ListsAreNestedAndClosed) {
 TEST(MarkdownPage, WordsAreLaidOverAFigure) {
     const std::string page = shown("![caption](worded.png)");
     EXPECT_NE(page.find("<span class=\"worded\"><img src=\"worded.png\""), std::string::npos) << page;
-    EXPECT_NE(page.find("word</b></span></span><figcaption>caption"), std::string::npos) << page;
+    EXPECT_NE(page.find("word</b></span></span></span><figcaption>caption"), std::string::npos) << page;
     EXPECT_EQ(shown("![caption](one.png)").find("worded"), std::string::npos);
 }
 
