@@ -38,6 +38,11 @@ Format format_of(const Texels& texels) {
     return {floats[i], external[i], GL_FLOAT};
 }
 
+/// Returns how many samples a filtered read takes along its longer axis.
+float anisotropy_of(const TextureOptions& options) {
+    return options.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
+}
+
 }  // namespace
 
 Texture::Texture(std::string title, std::function<Image()> make, TextureOptions options)
@@ -55,15 +60,6 @@ Texture::Texture(std::string title, std::function<std::vector<Image>()> make, Te
     : title_(std::move(title)),
       make_([make = std::move(make), space = options.space] { return pack(make(), space); }),
       options_(options) {}
-
-namespace {
-
-/// Returns how many samples a filtered read takes along its longer axis.
-float anisotropy_of(const TextureOptions& options) {
-    return options.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
-}
-
-}  // namespace
 
 Texture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 

@@ -205,11 +205,12 @@ int check_golden(const std::string& chosen, bool update, const fs::path& output,
 class GoldenCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        // Several labs as well, like 1-5 or 1,3,10-12.
         options.lab(labs_, false);
         options.flag("--update", update_, "renew those that differ");
         options.value("-o", "FOLDER", output_, "write what differs: now, reference, difference");
         options.value("--context", "NAME", context_, context_help);
+        options.footer(
+            [] { return std::string("LAB may also be several labs: 1-5 or 1,3,10-12. Without it: all labs."); });
     }
     int run() override { return check_golden(labs_, update_, output_, context_kind(context_)); }
 

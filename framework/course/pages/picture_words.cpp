@@ -114,11 +114,19 @@ Fields fields_of(std::span<const PictureWord> drawn) {
             return word.kind == PictureWord::Kind::text && !word.text.empty() && is_swatch(box, word);
         });
     };
-    List boxes;
+    const auto is_behind_text = [&](const PictureWord& box) {
+        return std::any_of(words.begin(), words.end(), [&](const PictureWord& word) {
+            const glm::vec2 inside = word.place - box.place;
+            return word.kind == PictureWord::Kind::text && inside.x >= 0 && inside.y >= 0 && inside.x <= box.size.x &&
+                   inside.y <= box.size.y;
+        });
+    };
+    List boxes;  // narrow screens show them over the picture, since they mark its places, but for those behind a text
     Value scale;
     for (const PictureWord& word : words) {
         if (word.kind == PictureWord::Kind::box && !has_line(word)) {
-            boxes.push_back(Fields{{"style", box_of(word) + ";background:" + color_of(word.color)}});
+            boxes.push_back(Fields{{"kind", is_behind_text(word) ? "behind" : "mark"},
+                                   {"style", box_of(word) + ";background:" + color_of(word.color)}});
         } else if (word.kind == PictureWord::Kind::scale) {
             List ticks;
             for (int tick = 1; tick < word.parts; ++tick)

@@ -43,6 +43,16 @@ TEST(PictureWords, OfOneHeightAreALineWithItsColor) {
     EXPECT_EQ(shown.find("rgb(255 0 0", red + 1), std::string::npos) << shown;
 }
 
+TEST(PictureWords, AreApartFromMarksOfPlaces) {
+    const PictureWord mark{.kind = Kind::box, .place = {0.1f, 0.1f}, .size = {0.02f, 0.02f}, .color = {1, 0, 0, 1}};
+    const PictureWord plate{.kind = Kind::box, .place = {0.4f, 0.4f}, .size = {0.5f, 0.5f}, .color = {0, 0, 1, 1}};
+    const PictureWord text{.place = {0.5f, 0.5f}, .size = {0, 0.05f}, .text = "text"};
+    const std::string shown = picture_words_markup(std::vector{plate, text, mark});
+    const size_t over = shown.find("class=\"over\"");
+    EXPECT_LT(shown.find("class=\"mark\" style=\"left:10.00%"), over) << shown;
+    EXPECT_LT(shown.find("class=\"behind\" style=\"left:40.00%"), over) << shown;
+}
+
 TEST(PictureWords, OfALegendInOneRowAreALineForEachColor) {
     const PictureWord one{.place = {0.1f, 0.9f}, .size = {0, 0.05f}, .text = "one"};
     PictureWord two = one;
