@@ -31,7 +31,7 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 uniform sampler2DArray s_windows;  // for the exact hit
-uniform vec4 u_window_extent;
+uniform mat4 u_window_extent;
 
 layout(location = 0) out vec4 o_color;
 

@@ -35,7 +35,7 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 uniform sampler2DArray s_windows;  // for the exact hit
-uniform vec4 u_window_extent;
+uniform mat4 u_window_extent;
 
 uniform vec3 u_eye;
 uniform vec3 u_to_light;  // unit

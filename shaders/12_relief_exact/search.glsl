@@ -24,7 +24,7 @@ struct ReliefHit {
 struct Look {
     ReliefRay ray;
     vec2 inverse, per_cell;  // 1 / ray.along, finite, and its absolute value
-    float quadrant;  // of the ray's direction: 1 for -u, 2 for -v, 3 for both, else 0
+    float octant;    // of the ray's direction: see height_windows()
     bool plain;      // a view ray on a flat base: its height is 1 - t
     vec2 texel;      // size of a texel, in uv
     vec2 first, cell;
@@ -57,7 +57,7 @@ float next_t(Look at) { return at.leaves; }  // cell by cell
 #endif
 
 #ifndef WINDOWS
-void prepare(vec2 per_cell) {}  // computes constants of a method, once per ray
+void prepare(vec2 per_cell, float octant) {}  // computes constants of a method, once per ray
 #endif
 
 // As gap_above_cell(), for a ray that may bend. The middle Bernstein coefficient is the difference of their blossoms.
@@ -77,11 +77,11 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
     vec2 size = vec2(textureSize(s_heights, 0)), texel = 1.0 / size, first = floor(mod(ray.start, size));
     ray.start = fract(ray.start);
     vec2 way = way_of(ray.along), per_cell = 1.0 / max(abs(ray.along), vec2(1e-9)), inverse = way * per_cell;
-    float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0));
+    float octant = octant_of(ray.along, way);
     vec2 ahead = start_along(ray.start, way), by = abs(ray.along), passed = floor(ahead + t * by);
     // Computed before the loop: a software renderer would compute it in each iteration.
     vec2 out_of_first = leave_square(ray, inverse, vec2(0.0), 1.0);
-    prepare(per_cell);
+    prepare(per_cell, octant);
     vec3 gap = vec3(0.0);
     float leaves = t;
     int iteration = 0, last = min(iterations_between(ray.along, t, t_end), max_iterations - before);
@@ -91,7 +91,7 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
         vec4 corners = textureGather(s_heights, (first + cell + 1.0) * texel);
         gap = gap_between(corners, ray, t, leaves, cell);
         if (closes(gap)) break;
-        t = next_t(Look(ray, inverse, per_cell, quadrant, plain, texel, first, cell, t, leaves, out_of_cell, corners));
+        t = next_t(Look(ray, inverse, per_cell, octant, plain, texel, first, cell, t, leaves, out_of_cell, corners));
         passed = next_cell(passed, out_of_cell, ahead + t * by);
     }
     bool missed = t >= t_end, stopped = !missed && iteration >= last;

@@ -15,6 +15,12 @@ int iterations_between(vec2 along, float t0, float t1) {
 // Returns 1 or -1 along each axis.
 vec2 way_of(vec2 along) { return mix(vec2(-1.0), vec2(1.0), greaterThanEqual(along, vec2(0.0))); }
 
+// Returns the octant of the directions that height_windows() has windows for: 1 for -u, 2 for -v, 3 for both, and 4 more
+// for a ray that passes more cells along v than along u.
+float octant_of(vec2 along, vec2 way) {
+    return dot(vec3(1.0, 2.0, 4.0), vec3(max(-way, 0.0), float(abs(along.y) > abs(along.x))));
+}
+
 // Returns the start position within its cell, measured along the ray's direction.
 vec2 start_along(vec2 start, vec2 way) { return mix(1.0 - start, start, greaterThan(way, vec2(0.0))); }
 

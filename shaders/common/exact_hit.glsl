@@ -17,7 +17,7 @@
 //]starter
 //| // It skips nothing, so `windows` and `extent` are not read: skipping is the task of lab 12.
 //]
-float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv, vec2 along, vec2 between) {
+float exact_hit(sampler2D heights, sampler2DArray windows, mat4 extent, vec2 uv, vec2 along, vec2 between) {
     vec2 size = vec2(textureSize(heights, 0)), from = fract(uv) * size - 0.5, march = along * size;
     int last = iterations_between(march, between.x, between.y);
     //[solution
@@ -26,8 +26,9 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
     vec2 way = way_of(march), per_cell = 1.0 / max(abs(march), vec2(1e-9));
     vec2 ahead = start_along(start, way), passed = floor(ahead + between.x * abs(march));
     vec2 first_ahead = mix(-first - 1.0, first, greaterThan(way, vec2(0.0)));
-    vec4 beyond_u = extent * per_cell.x, beyond_v = extent * per_cell.y;
-    float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0)), t = between.x;
+    float octant = octant_of(march, way), t = between.x;
+    int axis = octant < 4.0 ? 0 : 2;
+    vec4 beyond_u = extent[axis] * per_cell.x, beyond_v = extent[axis + 1] * per_cell.y;
     for (int i = 0; i < last && t < between.y; ++i) {
         vec2 cell = way * passed, place = first + cell, leaves = (passed + 1.0 - ahead) * per_cell;
         float end = clamp(min(leaves.x, leaves.y), t, between.y);
@@ -36,7 +37,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
         if (closes(gap)) return mix(t, end, first_closing(gap));
         vec2 block_ends = (floor((first_ahead + passed) * per_block) + 1.0) * block - first_ahead;
         vec2 leaves_block = (block_ends - ahead) * per_cell;
-        vec4 clearance = textureLod(windows, vec3((place + 0.5) * texel, quadrant), 0.0);
+        vec4 clearance = textureLod(windows, vec3((place + 0.5) * texel, octant), 0.0);
         vec4 safe = min(min(leaves_block.x + beyond_u, leaves_block.y + beyond_v), clearance);
         t = max(max(end, max(safe.x, safe.y)), max(safe.z, safe.w));
         passed = next_cell(passed, leaves, ahead + t * abs(march));

@@ -441,7 +441,7 @@ TEST(ReliefExact, AMethodsMapIsMadeOnlyForThatMethod) {
     };
     constexpr int64_t heights = (512 * 512 * 4 - 1) / 3 + 1;  // floats, with their smaller levels
     EXPECT_NEAR(double(bytes("walk")), double(heights) * 4, 64) << "no albedo, no normals: the probe reads none";
-    EXPECT_EQ(bytes("windows") - bytes("walk"), 4 * 256 * 256 * 4);
+    EXPECT_EQ(bytes("windows") - bytes("walk"), 8 * 256 * 256 * 4);
     EXPECT_EQ(bytes("coarse") - bytes("walk"), 512 * 512 * 4);
 }
 

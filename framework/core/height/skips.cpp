@@ -49,21 +49,6 @@ Grid highest_in_cells(const Image& heights) {
     return cells;
 }
 
-/// Replaces each value by the maximum of `length` values, from itself on, wrapping around.
-void slide(std::vector<float>& values, int length) {
-    const int count = int(values.size());
-    length = std::min(length, count);
-    int reach = 1;
-    std::vector<float> next(values.size());
-    while (reach < length) {  // windows double in length; the last one overlaps
-        const int shift = std::min(reach, length - reach);
-        for (int i = 0; i < count; ++i)
-            next[size_t(i)] = std::max(values[size_t(i)], values[size_t((i + shift) % count)]);
-        values.swap(next);
-        reach += shift;
-    }
-}
-
 /// Returns the maximum of each block of `side` x `side` cells.
 Grid highest_in_blocks(const Grid& cells, int side) {
     if (side == 1) return cells;
@@ -78,74 +63,95 @@ Grid highest_in_blocks(const Grid& cells, int side) {
     return blocks;
 }
 
-/// Returns for each cell the maximum of the `side` x `side` cells that begin `behind` cells before it on both axes.
-Grid highest_in_squares(const Grid& cells, int behind, int side) {
-    Grid across(cells.width, cells.height), result(cells.width, cells.height);
-    parallel_pieces(size_t(cells.height), 32, 0, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y) {
-            std::vector<float> line(cells.row(y), cells.row(y) + cells.width);
-            slide(line, side);
-            for (int x = 0; x < cells.width; ++x) across.row(y)[x] = line[size_t((x - behind) & (cells.width - 1))];
-        }
-    });
-    parallel_pieces(size_t(cells.width), 32, 0, [&](size_t begin, size_t end) {
-        std::vector<float> line;
-        for (int x = int(begin); x < int(end); ++x) {
-            line.resize(size_t(cells.height));
-            for (int y = 0; y < cells.height; ++y) line[size_t(y)] = across.row(y)[x];
-            slide(line, side);
-            for (int y = 0; y < cells.height; ++y) result.row(y)[x] = line[size_t((y - behind) & (cells.height - 1))];
-        }
-    });
-    return result;
-}
-
-glm::ivec2 behind(int quadrant, int extent) { return {quadrant & 1 ? extent : 0, quadrant & 2 ? extent : 0}; }
-
 /// Returns 1 - height in 1/255, rounded down. The margin of 1e-3 keeps it conservative where (1 - height) * 255 is
 /// rounded up.
-float clear_of(float highest) { return std::max(0.0f, std::floor((1 - highest) * 255 - 1e-3f)); }
+uint8_t clear_of(float highest) { return uint8_t(std::max(0.0f, std::floor((1 - highest) * 255 - 1e-3f))); }
+
+/// Clearances of rectangles of blocks: each is the least of four overlapping rectangles that are kept, whose sides are
+/// powers of two (Bender and Farach-Colton 2000, on two axes).
+class Clearances {
+public:
+    /// `longest`: of the rectangles' sides, in blocks.
+    Clearances(const Grid& blocks, int longest) : width_(blocks.width), height_(blocks.height) {
+        const size_t levels = size_t(std::bit_width(unsigned(longest)));
+        least_.resize(levels, std::vector<std::vector<uint8_t>>(levels));
+        least_[0][0].resize(blocks.values.size());
+        std::transform(blocks.values.begin(), blocks.values.end(), least_[0][0].begin(), clear_of);
+        for (size_t j = 0; j < levels; ++j) {
+            if (j > 0) least_[0][j] = least_of_two(least_[0][j - 1], {0, 1 << (j - 1)});
+            for (size_t i = 1; i < levels; ++i) least_[i][j] = least_of_two(least_[i - 1][j], {1 << (i - 1), 0});
+        }
+    }
+
+    /// Returns the clearance, in 1/255, of `size` blocks from block `from` on. Both axes wrap around.
+    uint8_t of(glm::ivec2 from, glm::ivec2 size) const {
+        const int i = std::bit_width(unsigned(size.x)) - 1, j = std::bit_width(unsigned(size.y)) - 1;
+        const std::vector<uint8_t>& least = least_[size_t(i)][size_t(j)];
+        const glm::ivec2 last = from + size - glm::ivec2(1 << i, 1 << j);
+        return std::min(std::min(least[at(from)], least[at({last.x, from.y})]),
+                        std::min(least[at({from.x, last.y})], least[at(last)]));
+    }
+
+private:
+    size_t at(glm::ivec2 block) const {
+        return size_t(block.y & (height_ - 1)) * size_t(width_) + size_t(block.x & (width_ - 1));
+    }
+    /// Returns the lesser of each value and the one that is `shift` blocks away.
+    std::vector<uint8_t> least_of_two(const std::vector<uint8_t>& values, glm::ivec2 shift) const {
+        std::vector<uint8_t> least(values.size());
+        for (int y = 0; y < height_; ++y) {
+            const uint8_t *const here = &values[at({0, y})], *const there = &values[at({0, y + shift.y})];
+            const int wraps = width_ - shift.x % width_;
+            uint8_t* const to = &least[at({0, y})];
+            for (int x = 0; x < wraps; ++x) to[x] = std::min(here[x], there[x + shift.x % width_]);
+            for (int x = wraps; x < width_; ++x) to[x] = std::min(here[x], there[x - wraps]);
+        }
+        return least;
+    }
+
+    int width_, height_;
+    std::vector<std::vector<std::vector<uint8_t>>> least_;  ///< sides 2^i and 2^j
+};
 
 /// Counts the iterations of the loop of shaders/12_relief_exact/search.glsl with given windows. They are averaged over
-/// rays of all slants from everywhere on the map. A ray ends in the first cell whose maximum it comes below, as if that
-/// were a hit.
+/// rays along +u and +v, of all slants and from everywhere on the map, that move farther along `axis`. A ray ends in
+/// the first cell whose maximum it comes below, as if that were a hit.
 class Turns {
 public:
-    struct Window {
-        int extent;
-        Grid highest;  ///< maxima of the squares that begin at each block, for rays along +u and +v
-    };
-    Turns(const Grid& cells, int block) : cells_(cells), block_(block) {
+    Turns(const Grid& cells, int block, const Clearances& clearances, int axis)
+        : cells_(cells), block_(block), clearances_(clearances) {
         std::mt19937 random(1);
         const auto share = [&] { return double(random()) / 4294967296.0; };
-        for (int i = 0; i < 384; ++i) {
-            const double turn = std::numbers::pi / 2 * share(),
+        for (int i = 0; i < 192; ++i) {
+            const double turn = std::numbers::pi / 4 * (axis + share()),
                          reach = cells.width * std::pow(2.0, -5.5 + 5.5 * share());
             rays_.push_back({{share() * cells.width, share() * cells.height},
                              {reach * std::cos(turn) + 1e-9, reach * std::sin(turn) + 1e-9}});
         }
     }
 
-    double mean(const std::vector<const Window*>& windows) const {
-        int64_t turns = 0;
+    /// Returns the number of iterations of all rays. `extents` are in blocks. Stops counting at `most`.
+    int count(const std::vector<glm::ivec2>& extents, int most) const {
+        int turns = 0;
         for (const auto& [start, along] : rays_) {
             double t = 0;
             for (int turn = 0; turn < 256 && t < 1; ++turn, ++turns) {
-                const glm::ivec2 cell(glm::floor(start + t * along)), block = cell & ~(block_ - 1);
+                const glm::ivec2 cell(glm::floor(start + t * along)), block = cell / block_;
                 const auto leave = [&, &from = start, &by = along](glm::ivec2 upper) {
                     const glm::dvec2 out = (glm::dvec2(upper) - from) / by;
                     return std::min(out.x, out.y);
                 };
                 double next = leave(cell + 1);
                 if (1 - std::min(next, 1.0) < cells_.wrapped(cell.x, cell.y)) break;
-                for (const Window* window : windows) {
-                    const double highest = window->highest.wrapped(block.x / block_, block.y / block_);
-                    next = std::max(next, std::min(leave(block + block_ + window->extent), 1 - highest));
+                for (const glm::ivec2 extent : extents) {
+                    const double until = clearances_.of(block, 1 + extent) / 255.0;
+                    if (until > next) next = std::max(next, std::min(leave(block_ * (block + 1 + extent)), until));
                 }
                 t = next + 1e-6;
             }
+            if (turns >= most) break;
         }
-        return double(turns) / double(rays_.size());
+        return turns;
     }
 
 private:
@@ -154,31 +160,32 @@ private:
     };
     const Grid& cells_;
     int block_;
+    const Clearances& clearances_;
     std::vector<Ray> rays_;
 };
 
-/// Chooses windows greedily: each is the one that helps most together with the ones before it. `blocks` holds the
-/// maxima of `block` x `block` cells.
-std::array<int, 4> best_windows(const Grid& cells, const Grid& blocks, int block) {
-    std::vector<Turns::Window> candidates;
-    for (const int extent : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56})
-        if (extent == 0 || (extent < std::min(blocks.width, blocks.height) && extent * block <= 56))
-            candidates.push_back({extent * block, highest_in_squares(blocks, 0, 1 + extent)});
-    const Turns turns(cells, block);
-    std::array<int, 4> extent{};
-    std::vector<const Turns::Window*> chosen;
-    for (int& size : extent) {
-        const Turns::Window* best = nullptr;
-        double fewest = std::numeric_limits<double>::infinity();
-        chosen.push_back(nullptr);
-        for (const Turns::Window& candidate : candidates) {
-            chosen.back() = &candidate;
-            if (const double mean = turns.mean(chosen); mean < fewest) fewest = mean, best = &candidate;
+constexpr int longest_extent = 56;  // blocks
+
+/// Chooses windows greedily: each is the one that helps most together with the ones before it. `least`: the map's
+/// shorter side in blocks. Returns extents in blocks.
+std::array<glm::ivec2, 4> best_windows(const Turns& turns, int least, int axis) {
+    std::vector<glm::ivec2> candidates;
+    for (const int extent : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, longest_extent})
+        for (const int aside : {0, (extent + 7) / 8, (extent + 1) / 2})
+            if (extent < std::max(1, least))
+                candidates.push_back(axis == 0 ? glm::ivec2(extent, aside) : glm::ivec2(aside, extent));
+    std::array<glm::ivec2, 4> extents{};
+    std::vector<glm::ivec2> chosen;
+    for (glm::ivec2& best : extents) {
+        int fewest = std::numeric_limits<int>::max();
+        chosen.emplace_back();
+        for (const glm::ivec2 candidate : candidates) {
+            chosen.back() = candidate;
+            if (const int count = turns.count(chosen, fewest); count < fewest) fewest = count, best = candidate;
         }
-        chosen.back() = best, size = best->extent;
+        chosen.back() = best;
     }
-    std::sort(extent.begin(), extent.end());
-    return extent;
+    return extents;
 }
 
 Image image_of(const Grid& grid) {
@@ -193,23 +200,45 @@ HeightWindows height_windows(const Image& heights) {
     const Grid cells = highest_in_cells(heights);
     const int side = std::min(cells.width, cells.height), block = side < 512 ? 1 : std::max(2, side / 512);
     const Grid blocks = highest_in_blocks(cells, block);
-    HeightWindows windows{block, best_windows(cells, blocks, block), Image(blocks.width, 4 * blocks.height, 4, 8)};
-    for (int k = 0; k < 4; ++k) {
-        // A window in another quadrant is the quadrant-0 window of a shifted block.
-        const int extent = windows.extent[size_t(k)] / block;
-        const Grid ahead = highest_in_squares(blocks, 0, 1 + extent);
-        for (int quadrant = 0; quadrant < 4; ++quadrant)
-            for (int y = 0; y < blocks.height; ++y)
-                for (int x = 0; x < blocks.width; ++x) {
-                    const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, extent);
-                    windows.clearance.pixel(x, (4 - quadrant) * blocks.height - 1 - y)[k] =
-                        clear_of(ahead.wrapped(from.x, from.y)) / 255;
-                }
+    const Clearances clearances(blocks, 1 + std::min(longest_extent, side / block));
+    HeightWindows windows{block, {}, Image(blocks.width, 8 * blocks.height, 4, 8)};
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto extents = best_windows(Turns(cells, block, clearances, axis), side / block, axis);
+        for (size_t k = 0; k < 4; ++k) {
+            windows.extent[size_t(axis)][k] = block * extents[k];
+            for (int quadrant = 0; quadrant < 4; ++quadrant) {
+                const glm::ivec2 behind(quadrant & 1 ? extents[k].x : 0, quadrant & 2 ? extents[k].y : 0);
+                for (int y = 0; y < blocks.height; ++y)
+                    for (int x = 0; x < blocks.width; ++x)
+                        windows.clearance.pixel(x, (8 - 4 * axis - quadrant) * blocks.height - 1 - y)[k] =
+                            float(clearances.of(glm::ivec2(x, y) - behind, 1 + extents[k])) / 255;
+            }
+        }
     }
     return windows;
 }
 
-Image highest_in_5x5(const Image& heights) { return image_of(highest_in_squares(highest_in_cells(heights), 2, 5)); }
+glm::mat4 HeightWindows::extents() const {
+    glm::mat4 columns;
+    for (int k = 0; k < 4; ++k)
+        for (int column = 0; column < 4; ++column)
+            columns[column][k] = float(extent[size_t(column / 2)][size_t(k)][column % 2]);
+    return columns;
+}
+
+Image highest_in_5x5(const Image& heights) {
+    const Grid cells = highest_in_cells(heights);
+    Grid across(cells.width, cells.height), around(cells.width, cells.height);
+    const auto pass = [](const Grid& from, Grid& to, glm::ivec2 step) {
+        for (int y = 0; y < to.height; ++y)
+            for (int x = 0; x < to.width; ++x)
+                for (int k = -2; k <= 2; ++k)
+                    to.row(y)[x] = std::max(to.row(y)[x], from.wrapped(x + k * step.x, y + k * step.y));
+    };
+    pass(cells, across, {1, 0});
+    pass(across, around, {0, 1});
+    return image_of(around);
+}
 
 Image cone_map(const Image& heights, unsigned threads) {
     const Grid cells = highest_in_cells(heights);

@@ -6,20 +6,26 @@
 #pragma once
 
 #include <array>
+#include <glm/glm.hpp>
 
 #include "framework/core/image/image.h"
 
 namespace relief {
 
 /// Clearances above the map, for rays that skip many cells at once. A ray only looks ahead, so each block of cells has
-/// its windows in four quadrants: 0 for rays along +u and +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is
-/// the block and `extent[k]` more cells on the two sides ahead. The stored clearance is 1 - (the maximum height in the
-/// window), in 1/255, rounded down. A ray that enters at height 1 and falls by 1 per unit of t stays above the whole
-/// window until t equals the clearance.
+/// its windows for eight octants of directions: 0 for rays along +u and +v, 1 for -u, 2 for -v, 3 for both, and 4 more
+/// where a ray passes more cells along v than along u. Window k of an octant is the block and `extent[octant / 4][k]`
+/// more cells ahead, along u and along v. The stored clearance is 1 - (the maximum height in the window), in 1/255,
+/// rounded down. A ray that enters at height 1 and falls by 1 per unit of t stays above the whole window until t equals
+/// the clearance.
 struct HeightWindows {
-    int block = 1;                ///< cells along a block's side, a power of two
-    std::array<int, 4> extent{};  ///< cells, in rising order; whole blocks
-    Image clearance;              ///< a texel per block, an 8-bit channel per window; quadrants stacked, 0 lowest
+    int block = 1;                                      ///< cells along a block's side, a power of two
+    std::array<std::array<glm::ivec2, 4>, 2> extent{};  ///< cells; whole blocks
+    Image clearance;  ///< a texel per block, an 8-bit channel per window; octants stacked, 0 lowest
+
+    /// Returns `extent` for exact_hit() in shaders/common/exact_hit.glsl: a row per window; a column for u and one for
+    /// v, of the octants 0 to 3, then of 4 to 7.
+    glm::mat4 extents() const;
 };
 
 /// Returns the windows for which rays of all slants take the fewest iterations on this map. Blocks are 1 cell where a

@@ -117,15 +117,14 @@ void ReliefSurface::set_view_ray(const Program& program, const Frame& frame, con
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
     if (glGetUniformLocation(program, "u_window_extent") < 0) return;  // a permutation without exact_hit()
-    const std::array<int, 4>& cells = windows().heights.extent;
     program.set("s_windows", unit, windows().texture);
-    program.set("u_window_extent", glm::vec4(cells[0], cells[1], cells[2], cells[3]));
+    program.set("u_window_extent", windows().heights.extents());
 }
 
 const ReliefSurface::Windows& ReliefSurface::windows() const {
     return windows_.get({version()}, [this]() -> Windows {
         return {height_windows(heights()),
-                Texture("windows", [this] { return windows().heights.clearance; }, {.mips = false, .layers = 4})};
+                Texture("windows", [this] { return windows().heights.clearance; }, {.mips = false, .layers = 8})};
     });
 }
 

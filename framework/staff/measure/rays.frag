@@ -21,7 +21,7 @@ uniform float u_highest;
 #endif
 #ifdef EXACT_COMMON
 uniform sampler2DArray s_windows;
-uniform vec4 u_window_extent;
+uniform mat4 u_window_extent;
 #endif
 uniform sampler2D s_rays;       // uv, and the cosine and sine of the ray's azimuth
 uniform float u_sine, u_cosine; // of the angle between the ray and the normal

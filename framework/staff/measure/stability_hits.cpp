@@ -137,7 +137,7 @@ Image search(const Search& method, const Rays& rays) {
     HeightWindows windows;
     const bool has_windows = method.defines.back() == "WINDOWS" || method.defines.back() == "EXACT_COMMON";
     if (has_windows) windows = height_windows(rays.heights());
-    const Texture clearance("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
+    const Texture clearance("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 8});
 
     const Target target(TargetKind::probe, glm::ivec2(rays.side()));
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -150,9 +150,8 @@ Image search(const Search& method, const Rays& rays) {
     program.set("u_depth", rays.setting().depth);
     program.set("u_highest", *std::max_element(rays.heights().values.begin(), rays.heights().values.end()));
     if (has_windows) {
-        const auto& extent = windows.extent;
         program.set("s_windows", 3, clearance);
-        program.set("u_window_extent", glm::vec4(extent[0], extent[1], extent[2], extent[3]));
+        program.set("u_window_extent", windows.extents());
         if (method.defines.front() == "EXACT") {
             program.set("u_block", float(windows.block));
             program.set("u_per_block", 1.0f / float(windows.block));

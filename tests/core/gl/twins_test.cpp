@@ -301,6 +301,15 @@ std::vector<Twin> cell_walks() {
          random_walk,
          [](const GlslInput& in) { return glm::dvec4(in[3].x < 0 ? -1 : 1, in[3].y < 0 ? -1 : 1, 1, 1); },
          {"vec2(-1.0), vec2(1.0)", "vec2(1.0), vec2(-1.0)"}},
+        {"octant_of",
+         "common/cell_walk.glsl",
+         "vec4(octant_of(d.xy, way_of(d.xy)))",
+         random_walk,
+         [](const GlslInput& in) {
+             const double octant = (in[3].x < 0 ? 1 : 0) + (in[3].y < 0 ? 2 : 0);
+             return glm::dvec4(octant + (std::abs(in[3].y) > std::abs(in[3].x) ? 4 : 0));
+         },
+         {"vec3(1.0, 2.0, 4.0)", "vec3(2.0, 1.0, 4.0)"}},
         {"start_along",
          "common/cell_walk.glsl",
          "vec4(start_along(b.xy, way_of(d.xy)), 0.0, 0.0)",
@@ -331,7 +340,7 @@ std::vector<Twin> cell_walks() {
              const double way = 1000 * (std::abs(double(in[3].x)) + std::abs(double(in[3].y)));
              return glm::dvec4(way * double(in[1].y) + 4, 65004, 0, 0);
          },
-         {"abs(along.y)", "along.y"},
+         {"+ abs(along.y)", "+ along.y"},
          1e-4},  // integers, up to tens of thousands
     };
 }
@@ -896,30 +905,36 @@ TEST(ShaderFunction, CellCornersReturnTheTexelsOfAnyCell) {
     }
 }
 
+/// Returns a call of exact_hit() with the map and these windows as its textures. `ray` is GLSL: the other arguments.
+std::string exact_hit_call(const HeightWindows& windows, const char* ray) {
+    const glm::mat4 extents = windows.extents();
+    std::string columns;
+    for (int i = 0; i < 16; ++i) columns += fmt::format("{}{:.1f}", i ? ", " : "", extents[i / 4][i % 4]);
+    return fmt::format("vec4(exact_hit(s_map, s_other, mat4({}), {}))", columns, ray);
+}
+
 TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHit) {
     Dice dice{std::mt19937(twins_seed)};
     Image image = make_height_map(HeightMap::stones, 64);
     const Texture map("heights", [&] { return image; });
     const HeightWindows windows = height_windows(image);
-    const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
-    const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
+    const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 8});
     std::vector<GlslInput> inputs;
     for (int i = 0; i < 4000; ++i) {
         const float reach = i % 50 == 0 ? 0 : dice.between(0, 2);
         const float turn = dice.between(0, 6.3f);
         const float begin = i % 2 == 0 ? 0 : dice.between(0, 0.6f);
         inputs.push_back(
-            {extent,
-             glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
+            {glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
              glm::vec4(begin, i % 2 == 0 ? 1 : dice.between(begin, 1), 0, 0)});
     }
-    const char* const hit_of = "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, c.xy))";
+    const std::string hit_of = exact_hit_call(windows, "a.xy, a.zw, b.xy");
     const auto found = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, {}, &map, &other);
     const HeightField field(image, true);
     int off = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
-        const glm::dvec4 ray = glm::dvec4(inputs[i][1]) * 64.0;
-        const double begin = double(inputs[i][2].x), end = double(inputs[i][2].y);
+        const glm::dvec4 ray = glm::dvec4(inputs[i][0]) * 64.0;
+        const double begin = double(inputs[i][1].x), end = double(inputs[i][1].y);
         const glm::dvec3 along(ray.z, ray.w, -1);
         const auto hit = field.first_hit({glm::dvec3(ray.x, ray.y, 1) + begin * along, along}, end - begin);
         off += std::abs(double(found[i].x) - (hit ? begin + hit->t : end)) > 1e-4;
@@ -943,8 +958,7 @@ TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHitForAnyRayStartAndLength) {
         const HeightField field(image, true);
         const Texture map("heights", [&] { return image; });
         const HeightWindows windows = height_windows(image);
-        const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
-        const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
+        const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 8});
         // A float resolves 6e-8 of its value: at the end of 250 tiles (64,000 texels) that is 0.004 texels.
         for (const FarRays& rays : {FarRays{1, 8, 0.01}, FarRays{512, 30, 0.02}, FarRays{4, 250, 0.1}}) {
             Dice dice{std::mt19937(twins_seed)};
@@ -952,15 +966,15 @@ TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHitForAnyRayStartAndLength) {
             for (int i = 0; i < 2000; ++i) {
                 const float turn = float(i % 4) * 1.5707964f + dice.between(0, 0.2f) * dice.between(0, 1);
                 const glm::vec2 along = dice.between(0.9f, 1) * rays.reach * glm::vec2(std::cos(turn), std::sin(turn));
-                inputs.push_back({extent, glm::vec4(dice.between(-rays.start, rays.start),
-                                                    dice.between(-rays.start, rays.start), along)});
+                inputs.push_back(
+                    {glm::vec4(dice.between(-rays.start, rays.start), dice.between(-rays.start, rays.start), along)});
             }
             const auto found =
-                evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, vec2(0.0, 1.0)))",
-                              inputs, {}, &map, &other);
+                evaluate_glsl("common/exact_hit.glsl", exact_hit_call(windows, "a.xy, a.zw, vec2(0.0, 1.0)"), inputs,
+                              {}, &map, &other);
             size_t off = 0;
             for (size_t i = 0; i < inputs.size(); ++i) {
-                const glm::dvec4 ray = glm::dvec4(inputs[i][1]) * 256.0;
+                const glm::dvec4 ray = glm::dvec4(inputs[i][0]) * 256.0;
                 const glm::dvec3 along(ray.z, ray.w, -1);
                 const auto hit = field.first_hit({glm::dvec3(ray.x, ray.y, 1), along}, 1);
                 off += std::abs(double(found[i].x) - (hit ? hit->t : 1)) * glm::length(along) > rays.off;

@@ -47,9 +47,9 @@ std::vector<Image> maps_with_peaks() {
             noise(2, 8)};
 }
 
-/// Returns where the window of a quadrant begins for a cell or block at (x, y).
-glm::ivec2 first_of(int x, int y, int quadrant, int extent) {
-    return {x - (quadrant & 1 ? extent : 0), y - (quadrant & 2 ? extent : 0)};
+/// Returns where the window of an octant begins for a block whose first cell is (x, y).
+glm::ivec2 first_of(int x, int y, int octant, glm::ivec2 extent) {
+    return {x - (octant & 1 ? extent.x : 0), y - (octant & 2 ? extent.y : 0)};
 }
 
 TEST(HeightSkips, WindowClearancesAreTightUpperBounds) {
@@ -61,16 +61,17 @@ TEST(HeightSkips, WindowClearancesAreTightUpperBounds) {
         const HeightWindows windows = height_windows(map);
         const int columns = map.width / windows.block, rows = map.height / windows.block;
         ASSERT_EQ(windows.clearance.width, columns);
-        ASSERT_EQ(windows.clearance.height, 4 * rows);
+        ASSERT_EQ(windows.clearance.height, 8 * rows);
         ASSERT_EQ(windows.block, map.width < 512 ? 1 : 2);
-        for (int quadrant = 0; quadrant < 4; ++quadrant)
+        for (int octant = 0; octant < 8; ++octant)
             for (int y = 0; y < rows; y += step)
                 for (int x = 0; x < columns; x += step)
                     for (int k = 0; k < 4; ++k) {
-                        const int extent = windows.extent[size_t(k)], side = windows.block + extent;
-                        const auto from = first_of(x * windows.block, y * windows.block, quadrant, extent);
-                        const float highest = cells.top(from.x, from.y, side, side);
-                        const float clearance = windows.clearance.pixel(x, (4 - quadrant) * rows - 1 - y)[k];
+                        const glm::ivec2 extent = windows.extent[size_t(octant / 4)][size_t(k)];
+                        const glm::ivec2 size = windows.block + extent;
+                        const auto from = first_of(x * windows.block, y * windows.block, octant, extent);
+                        const float highest = cells.top(from.x, from.y, size.x, size.y);
+                        const float clearance = windows.clearance.pixel(x, (8 - octant) * rows - 1 - y)[k];
                         ASSERT_LE(clearance, 1 - highest) << map.width << ": " << x << ", " << y << ", " << k;
                         ASSERT_GT(clearance, 1 - highest - 2.0f / 255)
                             << map.width << ": " << x << ", " << y << ", " << k;
@@ -110,11 +111,15 @@ TEST(HeightSkips, ConesContainNoCell) {
 }
 
 TEST(HeightSkips, WindowsFitTheMap) {
-    // Between posts at a distance of sixteen texels, the largest empty square has at most fourteen cells.
-    const auto posts = height_windows(make_height_map(HeightMap::posts, 256)).extent;
-    EXPECT_LE(posts[2], 14);
-    const auto smooth = height_windows(make_height_map(HeightMap::smooth, 256)).extent;
-    EXPECT_GT(smooth[3], posts[3]);
+    // Posts are one texel wide, every sixteen texels: no window with more than fourteen cells along both axes is empty.
+    for (const auto& extents : height_windows(make_height_map(HeightMap::posts, 256)).extent)
+        for (const glm::ivec2 extent : extents) EXPECT_LE(std::min(extent.x, extent.y), 13);
+    // A window for rays along an axis is longer along that axis.
+    const auto stones = height_windows(make_height_map(HeightMap::stones, 256)).extent;
+    for (int k = 0; k < 4; ++k) {
+        EXPECT_GE(stones[0][size_t(k)].x, stones[0][size_t(k)].y);
+        EXPECT_GE(stones[1][size_t(k)].y, stones[1][size_t(k)].x);
+    }
 }
 
 TEST(HeightSkips, RejectASideThatIsNotAPowerOfTwo) {
