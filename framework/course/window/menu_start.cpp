@@ -9,6 +9,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
+#include "framework/course/check/check.h"
 #include "framework/course/pages/lab_groups.h"
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_imgui.h"
@@ -87,7 +88,7 @@ void StartPage::check_next() {
     Card& card = cards_[checked_];
     try {
         if (!checks_.is_of(*card.lab)) {
-            const Manifest manifest = load_manifest(*card.lab);
+            const Manifest manifest = check::manifest_to_check(*card.lab);
             Checks::Files files = Checks::files(*card.lab, manifest);
             if (files == card.files) {
                 ++checked_;
