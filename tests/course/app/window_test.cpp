@@ -323,6 +323,23 @@ TEST_F(Window, SwitchingLabsAndBackRestoresThePictureAndLeaksNothing) {
     EXPECT_EQ(saved("01_specular_highlights-2.png").values, before.values);
 }
 
+// A software renderer compiles a program in its first draw call. The window then pauses, to take events.
+TEST_F(Window, PausesWhileALabCompilesAndThenDrawsTheSamePicture) {
+    where_.environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+    open("01");
+    std::string slow = "float slow_to_compile(float x) {\n";
+    for (int i = 0; i < 150; ++i) slow += "    x = sin(x + " + std::to_string(i) + ".0) * pow(x, 1.5);\n";
+    shader_.edit("void main() {",
+                 slow + "    return x;\n}\n\nvoid main() {\n    if (slow_to_compile(gl_FragCoord.x) > 9.0) discard;");
+    press_for("Right", "20_test_wall");
+    EXPECT_GE(count(": 20_test_wall, compiling"), 1u) << window_->err();
+    EXPECT_EQ(count("small picture of 20_test_wall"), 1u) << window_->err();
+    const Image opened = saved("20_test_wall-1.png");
+    press_for("r", "20_test_wall");
+    press("c");
+    EXPECT_EQ(saved("20_test_wall-2.png").values, opened.values);
+}
+
 TEST_F(Window, TheCameraTurnsUntilItIsStopped) {
     open("20");
     const Image before = saved_anew();
