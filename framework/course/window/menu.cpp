@@ -234,7 +234,10 @@ private:
             draw_start_page(window, wish);
             return;
         }
-        const Layout layout = borders_.layout(window, scale_, {.panel = !panel_hidden_, .handout = handout_.is_open()});
+        const Layout layout = borders_.layout(window, scale_,
+                                              {.panel = !panel_hidden_,
+                                               .handout = handout_.is_open(),
+                                               .legend = error_map_.on() && !check_view_.is_open()});
         const Box& picture = layout.picture;
         note(layout);
         mouse();
@@ -282,9 +285,10 @@ private:
             wipe_.draw(stage_, room, time_, drawn);
             if (is_told_ || wipe_.is_opening()) turns_ = std::max(turns_, 2);
             wipe_.draw_border({picture.at, room}, scale_, stage_);
-            error_map_.draw({picture.at.x + room.x, picture.at.y}, room, moves());
+            error_map_.draw({picture.at.x + room.x, picture.at.y}, room);
             pixel_.draw(stage_, error_map_, picture.at, room);
         }
+        error_map_.draw_legend(layout.legend, stage_.probe().name, moves());
         present(window, picture.at, room);
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -33,7 +33,8 @@ void draw_heat_scale(const std::string& first, const std::string& last, float wi
     ImGui::Dummy({width, height});
     const float left = ImGui::GetCursorPosX();
     ImGui::TextColored(quiet, "%s", first.c_str());
-    ImGui::SameLine(left + width - ImGui::CalcTextSize(last.c_str()).x);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + width - ImGui::CalcTextSize(last.c_str()).x);
     ImGui::TextColored(quiet, "%s", last.c_str());
 }
 
@@ -55,6 +56,9 @@ void ErrorMap::compute(Stage& stage) {
 }
 
 namespace {
+
+/// Returns the error that has the lightest colour.
+double brightest(const ErrorSummary& error) { return error.p99 > 0 ? error.p99 : 1; }
 
 std::string sentence(std::string text) {
     text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
@@ -89,7 +93,7 @@ void ErrorMap::compare(Stage& stage) {
         if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
             throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
         one_sided_ = one_sided(values, *truth).count();
-        const double scale = error_.p99 > 0 ? error_.p99 : 1;
+        const double scale = brightest(error_);
         Image shown = error;
         mark_one_sided(shown, values, *truth, scale);
         compared_ = {probe, std::move(values), *truth, error};
@@ -105,42 +109,51 @@ void ErrorMap::compare(Stage& stage) {
     throw Error(sentence(no_truth(stage.entry(), stage.settings())));
 }
 
-void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
-    if (!on_) return;
-    const auto left = float(at.x), right = float(at.x + size.x), bottom = float(at.y + size.y);
-    if (picture_)  // row 0 of a texture is the bottom
-        ImGui::GetBackgroundDrawList()->AddImage(texture_id(*picture_), {left, float(at.y)}, {right, bottom}, {0, 1},
-                                                 {1, 0});
-    ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
-    ImGui::SetNextWindowBgAlpha(0.8f);
-    ImGui::Begin("error map", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (!done_) {
-        wrapped(moves ? "The error map needs a paused animation: press space." : "computing the exact values");
-    } else if (!picture_) {
-        wrapped(message_);
-    } else {
-        const ProbeInfo& probe = compared_->probe;
-        wrapped(fmt::format("{}: distance from the exact value", probe.name));
-        if (error_.count > 0)
-            wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
-                                amount_of(error_.largest, probe.unit)));
-        if (one_sided_ > 0)
-            wrapped(
-                fmt::format("{} pixels, in the lightest colour, have a surface in only one of the two.", one_sided_));
-        if (error_.missing > 0)
-            wrapped(fmt::format("{} pixels, in magenta, come from a task that is not written yet.", error_.missing));
-        if (error_.not_finite > 0) {
-            ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-            wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
-            ImGui::PopStyleColor();
-        }
-        if (error_.count > 0)
-            draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
+void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size) const {
+    if (!on_ || !picture_) return;
+    const ImVec2 low{float(at.x), float(at.y)}, high{float(at.x + size.x), float(at.y + size.y)};
+    // Row 0 of a texture is the bottom.
+    ImGui::GetBackgroundDrawList()->AddImage(texture_id(*picture_), low, high, {0, 1}, {1, 0});
+}
+
+void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves) const {
+    if (box.size.y == 0) return;
+    begin_in(box, "error map", ImGui::GetStyle().WindowPadding, true);
+    if (ImGui::BeginTable("halves", 2, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        push_font(font(FontRole::bold));
+        wrapped("Left: " + (probe.empty() ? "the picture" : probe));
+        ImGui::PopFont();
+        if (picture_) draw_notes();
+        ImGui::TableNextColumn();
+        push_font(font(FontRole::bold));
+        wrapped(picture_ ? fmt::format("Right: the error of {}", compared_->probe.name) : "Right: the error map");
+        ImGui::PopFont();
+        if (!done_)
+            quiet_text(moves ? "The error map needs a paused animation: press space."
+                             : "computing the exact values ...");
+        else if (!picture_)
+            wrapped(message_);
+        else if (error_.count > 0 && error_.largest == 0)
+            wrapped("None: every pixel has the exact value.");
+        else if (error_.count > 0)
+            draw_heat_scale("0", amount_of(brightest(error_), compared_->probe.unit) + " and more",
+                            ImGui::GetContentRegionAvail().x);
+        ImGui::EndTable();
     }
     ImGui::End();
+}
+
+void ErrorMap::draw_notes() const {
+    if (error_.count > 0)
+        wrapped(fmt::format("mean {}, 99 % {}, largest {}", rounded(error_.mean), rounded(error_.p99),
+                            amount_of(error_.largest, compared_->probe.unit)));
+    if (one_sided_ > 0)
+        quiet_text(fmt::format("{} pixels, in the lightest colour: a surface in only one of the two", one_sided_));
+    if (error_.missing > 0)
+        quiet_text(fmt::format("{} pixels, in magenta: a task that is not written yet", error_.missing));
+    if (error_.not_finite > 0)
+        colored_text(alarm, fmt::format("{} pixels, in magenta: NaN or infinite", error_.not_finite));
 }
 
 }  // namespace relief::window

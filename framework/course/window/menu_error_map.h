@@ -7,6 +7,7 @@
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/course/window/menu_layout.h"
 
 namespace relief::window {
 
@@ -39,11 +40,14 @@ public:
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it with its upper left corner at `at`. With `moves` the picture is animated, so there is no map.
-    void draw(glm::ivec2 at, glm::ivec2 size, bool moves) const;
+    /// Draws it with its upper left corner at `at`.
+    void draw(glm::ivec2 at, glm::ivec2 size) const;
+    /// Draws what both halves show, below them. With `moves` the picture is animated, so there is no map.
+    void draw_legend(const Box& box, const std::string& probe, bool moves) const;
 
 private:
     void compare(Stage& stage);
+    void draw_notes() const;
 
     bool on_ = false, done_ = false;
     std::string message_;
