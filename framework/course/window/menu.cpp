@@ -146,8 +146,8 @@ private:
 
     /// Returns whether to run a check now: between two frames, if nothing is being dragged and the panel is visible.
     bool checking() const {
-        return checks_.pending() && !stage_.is_opening() && !start_.is_open() && !panel_hidden_ && !is_dragged() &&
-               glfwGetTime() - opened_ >= still_for;
+        return checks_.pending() && (check_view_.is_open() || !stage_.is_opening()) && !start_.is_open() &&
+               !panel_hidden_ && !is_dragged() && glfwGetTime() - opened_ >= still_for;
     }
     bool is_dragged() const {
         for (int button = 0; button < 3; ++button)

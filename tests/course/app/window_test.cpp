@@ -802,6 +802,14 @@ TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnob
     course_.course.overwrite(task, good);
 }
 
+TEST_F(Window, ACheckNamedAtStartIsRunBeforeThereIsAPicture) {
+    ASSERT_EQ(course_.failure, "");
+    window_ = std::make_unique<Process>(
+        std::vector<std::string>{program_, "run", "01", "--check", "the highlight on the bricks", "--verbose"}, where_);
+    EXPECT_TRUE(eventually([&] { return count("checks: 5 of 5 points") == 1; })) << window_->err();
+    EXPECT_TRUE(frames().empty());
+}
+
 TEST_F(Window, AKnobsNameInTheHandoutSetsTheValueAfterIt) {
     const char* file = "labs/20_test_wall/README.md";
     const std::string good = read_all(course_.course.path() / file);
