@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -72,7 +73,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"worst", badge(worst(task))},
                                {"checks", std::move(checks)}});
     }
-    const std::string number = lab.two_digits(), reached = check::points_text(points);
+    const std::string number = lab.two_digits(), reached = check::points_text(std::round(points * 100) / 100);
     return render({.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
                    .body = "check",
                    .styles = {"badge", "checks", "figures", "check"},
