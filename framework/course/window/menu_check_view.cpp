@@ -144,7 +144,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
         if (difference_) {
             wrapped(differs_ + ".");
             ImGui::Dummy({size.x, 0});
-            draw_heat_scale("0", largest_ + " and more", size.x);
+            draw_heat_scale({"0", largest_ + " and more"}, size.x);
         }
         ImGui::End();
         if (both) {

@@ -8,13 +8,14 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
+#include "framework/course/pages/comparison.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
 
-void draw_heat_scale(const std::string& first, const std::string& last, float width) {
+void draw_heat_scale(const std::vector<std::string>& marks, float width) {
     constexpr int steps = 5;  // visualize_error() interpolates linearly between these colours
     Image values(steps + 1, 1, 1);
     for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
@@ -32,10 +33,15 @@ void draw_heat_scale(const std::string& first, const std::string& last, float wi
             color(i));
     ImGui::Dummy({width, height});
     const float left = ImGui::GetCursorPosX();
-    ImGui::TextColored(quiet, "%s", first.c_str());
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(left + width - ImGui::CalcTextSize(last.c_str()).x);
-    ImGui::TextColored(quiet, "%s", last.c_str());
+    const float last = width - ImGui::CalcTextSize(marks.back().c_str()).x;
+    for (size_t i = 0; i < marks.size(); ++i) {
+        const float share = float(i) / float(marks.size() - 1), wide = ImGui::CalcTextSize(marks[i].c_str()).x;
+        if (i > 0 && i + 1 < marks.size() && width * share + wide > last) continue;  // it would touch the last mark
+        if (i > 0) ImGui::SameLine();
+        // Centred below its colour, but within the scale.
+        ImGui::SetCursorPosX(left + std::clamp(width * share - wide / 2, 0.0f, std::max(0.0f, width - wide)));
+        ImGui::TextColored(quiet, "%s", marks[i].c_str());
+    }
 }
 
 void ErrorMap::forget() {
@@ -57,8 +63,11 @@ void ErrorMap::compute(Stage& stage) {
 
 namespace {
 
-/// Returns the error that has the lightest colour.
-double brightest(const ErrorSummary& error) { return error.p99 > 0 ? error.p99 : 1; }
+/// Draws the scale of pages::error_map().
+void draw_log_scale(double max, const std::string& unit) {
+    draw_heat_scale({rounded(max / 1000), rounded(max / 100), rounded(max / 10), amount_of(max, unit) + " and more"},
+                    ImGui::GetContentRegionAvail().x);
+}
 
 std::string sentence(std::string text) {
     text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
@@ -93,12 +102,12 @@ void ErrorMap::compare(Stage& stage) {
         if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
             throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
         one_sided_ = one_sided(values, *truth).count();
-        const double scale = brightest(error_);
+        const double scale = pages::error_map_max(error_.p99);
         Image shown = error;
         mark_one_sided(shown, values, *truth, scale);
         compared_ = {probe, std::move(values), *truth, error};
         picture_.emplace(
-            "error map", [&] { return visualize_error(shown, scale); },
+            "error map", [&] { return pages::error_map(scale, shown); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
         bind(0, *picture_);  // uploads it now, while `error` is in scope
         print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
@@ -137,8 +146,7 @@ void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves)
         else if (error_.count > 0 && error_.largest == 0)
             wrapped("None: every pixel has the exact value.");
         else if (error_.count > 0)
-            draw_heat_scale("0", amount_of(brightest(error_), compared_->probe.unit) + " and more",
-                            ImGui::GetContentRegionAvail().x);
+            draw_log_scale(pages::error_map_max(error_.p99), compared_->probe.unit);
         ImGui::EndTable();
     }
     ImGui::End();

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/compare.h"
@@ -13,8 +14,8 @@ namespace relief::window {
 
 class Stage;
 
-/// Draws the colour scale of errors, `width` pixels wide, labelled from `first` to `last`.
-void draw_heat_scale(const std::string& first, const std::string& last, float width);
+/// Draws the colour scale of errors, `width` pixels wide, with evenly spaced marks: two or more.
+void draw_heat_scale(const std::vector<std::string>& marks, float width);
 
 class ErrorMap {
 public:
