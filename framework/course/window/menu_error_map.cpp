@@ -47,6 +47,7 @@ void draw_heat_scale(const std::vector<std::string>& marks, float width) {
 void ErrorMap::forget() {
     done_ = false;
     picture_.reset(), compared_.reset();
+    tiles_.clear();
     message_.clear();
 }
 
@@ -62,6 +63,17 @@ void ErrorMap::compute(Stage& stage) {
 }
 
 namespace {
+
+/// Returns the words of the stage's picture. Draws it small: only the places matter.
+std::vector<PictureWord> words_of(const Stage& stage) {
+    Shot shot = stage.shot();
+    shot.probe = {};
+    shot.size = glm::max(shot.size / 4, glm::ivec2(1));
+    const Target target(TargetKind::picture, shot.size);
+    const WithoutWords without_words;
+    draw_lab(*stage.lab(), frame_of(shot, target));
+    return without_words.words();
+}
 
 /// Draws the scale of pages::error_map().
 void draw_log_scale(double max, const std::string& unit) {
@@ -106,6 +118,7 @@ void ErrorMap::compare(Stage& stage) {
         Image shown = error;
         mark_one_sided(shown, values, *truth, scale);
         compared_ = {probe, std::move(values), *truth, error};
+        tiles_ = tile_means(words_of(stage), error);
         picture_.emplace(
             "error map", [&] { return pages::error_map(scale, shown); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
@@ -122,7 +135,16 @@ void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size) const {
     if (!on_ || !picture_) return;
     const ImVec2 low{float(at.x), float(at.y)}, high{float(at.x + size.x), float(at.y + size.y)};
     // Row 0 of a texture is the bottom.
-    ImGui::GetBackgroundDrawList()->AddImage(texture_id(*picture_), low, high, {0, 1}, {1, 0});
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddImage(texture_id(*picture_), low, high, {0, 1}, {1, 0});
+    for (const TileMean& tile : tiles_) {
+        const std::string line = amount_of(tile.mean, compared_->probe.unit);
+        const ImVec2 wide = ImGui::CalcTextSize(line.c_str());
+        const float x = low.x + float(size.x) * (tile.place.x + tile.size.x / 2) - wide.x / 2,
+                    y = low.y + float(size.y) * (tile.place.y + tile.size.y) - 1.5f * wide.y;
+        list.AddRectFilled({x - 4, y - 2}, {x + wide.x + 4, y + wide.y + 2}, IM_COL32(16, 17, 20, 255), 3);
+        list.AddText({x, y}, IM_COL32_WHITE, line.c_str());
+    }
 }
 
 void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves) const {
@@ -154,8 +176,8 @@ void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves)
 
 void ErrorMap::draw_notes() const {
     if (error_.count > 0)
-        wrapped(fmt::format("mean {}, 99 % {}, largest {}", rounded(error_.mean), rounded(error_.p99),
-                            amount_of(error_.largest, compared_->probe.unit)));
+        wrapped(fmt::format("{}mean {}, 99 % {}, largest {}", tiles_.empty() ? "" : "in all: ", rounded(error_.mean),
+                            rounded(error_.p99), amount_of(error_.largest, compared_->probe.unit)));
     if (one_sided_ > 0)
         quiet_text(fmt::format("{} pixels, in the lightest colour: a surface in only one of the two", one_sided_));
     if (error_.missing > 0)

@@ -9,6 +9,7 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/course/window/menu_layout.h"
+#include "framework/course/window/menu_tiles.h"
 
 namespace relief::window {
 
@@ -56,6 +57,7 @@ private:
     ErrorSummary error_;
     size_t one_sided_ = 0;  ///< pixels
     std::optional<Texture> picture_;
+    std::vector<TileMean> tiles_;
 };
 
 }  // namespace relief::window
