@@ -11,6 +11,8 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/counters.h"
+#include "framework/core/gl/draw_watch.h"
+#include "framework/core/gl/gl.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/visualize.h"
@@ -179,6 +181,28 @@ TEST_P(EveryLab, ADrawThatThrowsChangesNoKnobAndNotTheNextPicture) {
         }
         EXPECT_FALSE(is_broken) << view;
     }
+}
+
+// The window ends the first draw of a lab after each program that takes long to compile, and draws again.
+TEST_P(EveryLab, ADrawThatEndsAfterAnyDrawCallDoesNotChangeTheNextPicture) {
+    const Image expected = SmallLab(GetParam(), shot()).draw();
+    const SmallLab small(GetParam(), shot());
+    struct Pause {};
+    bool is_whole = false;
+    for (int calls = 1; !is_whole; calls += 1 + calls / 10) {
+        int left = calls;
+        try {
+            const DrawWatch watch([&](const std::function<void()>& draw_call) {
+                draw_call();
+                if (--left == 0) throw Pause();
+            });
+            small.draw();
+            is_whole = true;
+        } catch (const Pause&) {
+            EXPECT_EQ(take_gl_errors(), "") << "after " << calls << " draw calls";
+        }
+    }
+    EXPECT_EQ(small.draw().values == expected.values, true);
 }
 
 TEST_P(EveryLab, DrawsInAnyShapeOfPicture) {

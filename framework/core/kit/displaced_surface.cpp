@@ -121,9 +121,15 @@ void DisplacedSurface::draw() const {
 
 int DisplacedSurface::draw_and_count() const {
     if (!count_) count_.emplace();
-    glBeginQuery(GL_PRIMITIVES_GENERATED, *count_);
-    draw();
-    glEndQuery(GL_PRIMITIVES_GENERATED);
+    {
+        // Ends the query also when a draw call throws.
+        struct Counted {
+            explicit Counted(GLuint query) { glBeginQuery(GL_PRIMITIVES_GENERATED, query); }
+            ~Counted() { glEndQuery(GL_PRIMITIVES_GENERATED); }
+        };
+        const Counted counted(*count_);
+        draw();
+    }
     GLint triangles = 0;
     glGetQueryObjectiv(*count_, GL_QUERY_RESULT, &triangles);
     return triangles;

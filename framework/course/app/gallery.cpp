@@ -225,7 +225,7 @@ private:
             shown.name = method.name, shown.picture = put(name + ".png", method.picture);
             if (!method.error) continue;
             page.map_size = {method.error->width, method.error->height};
-            shown.error_map = put(name + "-error.png", pages::error_map(comparison, *method.error));
+            shown.error_map = put(name + "-error.png", pages::error_map(comparison.max, *method.error));
             const double mean = method.summary.mean;
             shown.error = mean > 0 && mean < 1e-6 ? "under 0.000001 " + plural(comparison.probe->unit)
                                                   : amount_of(mean, comparison.probe->unit);

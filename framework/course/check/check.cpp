@@ -246,6 +246,9 @@ std::string names_of(const TaskIds& tasks) {
     return fmt::format("{} and {}", fmt::join(tasks.begin(), tasks.end() - 1, ", "), tasks.back());
 }
 
+/// Returns points as sentences name them, with at most two decimals.
+std::string hundredths(double points) { return points_text(std::round(points * 100) / 100); }
+
 }  // namespace
 
 const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
@@ -271,9 +274,9 @@ double TaskResult::waiting_points() const {
 std::string points_text(const TaskResult& result) {
     std::set<std::string> others;
     for (const CheckResult& check : result.checks) others.insert(check.waits_for.begin(), check.waits_for.end());
-    const std::string points = fmt::format("{} of {} points", points_text(result.points()), result.task->points);
+    const std::string points = fmt::format("{} of {} points", hundredths(result.points()), result.task->points);
     if (others.empty()) return points;
-    return fmt::format("{}, {} waiting for {}", points, points_text(result.waiting_points()),
+    return fmt::format("{}, {} waiting for {}", points, hundredths(result.waiting_points()),
                        names_of({others.begin(), others.end()}));
 }
 
@@ -282,8 +285,8 @@ std::string points_text(const std::vector<TaskResult>& tasks) {
     int of = 0;
     for (const TaskResult& task : tasks)
         points += task.points(), waiting += task.waiting_points(), of += task.task->points;
-    return fmt::format("{} of {} points{}", points_text(points), of,
-                       waiting > 0 ? fmt::format(", {} waiting", points_text(waiting)) : "");
+    return fmt::format("{} of {} points{}", hundredths(points), of,
+                       waiting > 0 ? fmt::format(", {} waiting", hundredths(waiting)) : "");
 }
 
 TaskIds missing_tasks(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {

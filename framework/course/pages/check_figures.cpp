@@ -140,4 +140,9 @@ Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Ima
             {"how_to_read", is_explained ? how_to_read(*probe) : ""}};
 }
 
+void tell_once(Fields& figures, std::set<std::string>& told) {
+    const std::string probe = figures["probe"].text;
+    if (!probe.empty() && !told.insert(probe).second) figures["probe"] = "";
+}
+
 }  // namespace relief::pages

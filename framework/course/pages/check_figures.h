@@ -1,6 +1,7 @@
 // A check's pictures in a page: the drawn and the expected one with a wipe between them, and a map of their difference.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "framework/course/check/check.h"
@@ -37,5 +38,8 @@ double largest_limit(const Limits& limits);
 /// values can be anything. Without scripts the pictures are side by side.
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
                      DrawnBy who, const Image& related = {});
+/// Removes the sentence about the probe's colours from the fields of check_figures() if `told` has the probe. Otherwise
+/// adds the probe to `told`.
+void tell_once(Fields& figures, std::set<std::string>& told);
 
 }  // namespace relief::pages

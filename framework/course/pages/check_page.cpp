@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "framework/core/base/text.h"
 #include "framework/core/context/context.h"
@@ -13,19 +15,21 @@
 namespace relief::pages {
 namespace {
 
-Fields fields_of(const Manifest& manifest, const check::CheckResult& result) {
+/// `told` holds the probes of the task whose colours an unfolded check above explains.
+Fields fields_of(const Manifest& manifest, const check::CheckResult& result, std::set<std::string>& told) {
     const CheckInfo& check = *result.check;
     const bool passed = result.outcome == check::Outcome::passed;
-    return {
-        {"name", check.name},
-        {"quoted", quoted_for_shell(check.name)},
-        {"badge", badge(result.outcome)},
-        {"open", !passed},
-        {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
-        {"found", result.found},
-        {"details", result.details},
-        {"allowed", check.reason},
-        {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related)}};
+    Fields pictures = check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related);
+    if (!passed) tell_once(pictures, told);
+    return {{"name", check.name},
+            {"quoted", quoted_for_shell(check.name)},
+            {"badge", badge(result.outcome)},
+            {"open", !passed},
+            {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
+            {"found", result.found},
+            {"details", result.details},
+            {"allowed", check.reason},
+            {"pictures", std::move(pictures)}};
 }
 
 check::Outcome worst(const check::TaskResult& task) {
@@ -52,9 +56,9 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
     for (const check::TaskResult& task : tasks) {
         points += task.points();
         List checks;
-        std::set<std::string> hints;  // each once in a task
+        std::set<std::string> hints, told;  // each once in a task
         for (const check::CheckResult& result : task.checks) {
-            Fields fields = fields_of(manifest, result);
+            Fields fields = fields_of(manifest, result, told);
             const bool is_told =
                 result.outcome >= check::Outcome::wrong && result.outcome != check::Outcome::unfinished;
             const std::string hint = look_at(result);
@@ -69,7 +73,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"worst", badge(worst(task))},
                                {"checks", std::move(checks)}});
     }
-    const std::string number = lab.two_digits(), reached = check::points_text(points);
+    const std::string number = lab.two_digits(), reached = check::points_text(std::round(points * 100) / 100);
     return render({.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
                    .body = "check",
                    .styles = {"badge", "checks", "figures", "check"},

@@ -39,14 +39,6 @@ private:
 /// Ratio of the two ends of the scale of errors: three decades.
 constexpr double decades = 1000;
 
-double rounded_up(double value) {
-    if (!(value > 0)) return 1;
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1, 2, 5})
-        if (value <= step * power * (1 + 1e-9)) return step * power;
-    return 10 * power;
-}
-
 /// Computes each exact picture once. Compares a few pixels to find whether the exact values depend on the method.
 class Truths {
 public:
@@ -118,15 +110,22 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
     }
     if (kept.empty()) return result;
     result.probe = &manifest.probe(probe.name);
-    result.max = rounded_up(*std::max_element(kept.begin(), kept.end()));
-    result.min = result.max / decades;
+    result.max = error_map_max(*std::max_element(kept.begin(), kept.end()));
     return result;
 }
 
-Image error_map(const Comparison& comparison, const Image& error) {
+double error_map_max(double p99) {
+    if (!(p99 > 0)) return 1;
+    const double power = std::pow(10, std::floor(std::log10(p99)));
+    for (const double step : {1, 2, 5})
+        if (p99 <= step * power * (1 + 1e-9)) return step * power;
+    return 10 * power;
+}
+
+Image error_map(double max, const Image& error) {
     Image place = error;  // position on the scale, in [0, 1]
     for (float& value : place.values)
-        if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / comparison.min) / std::log(decades)));
+        if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / max * decades) / std::log(decades)));
     return visualize_error(place, 1);
 }
 

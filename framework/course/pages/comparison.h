@@ -22,10 +22,9 @@ struct Comparison {
     const ProbeInfo* probe = nullptr;  ///< owned by the manifest; null without exact values
     std::vector<ComparedMethod> methods;
     Shot measured;  ///< the last method's shot; its probe is the one of the errors
-    /// Both ends of the error maps' scale, shared by all methods. The scale is logarithmic: errors of methods differ by
-    /// powers of ten. `min` is max / 1000. `max` is the largest 99 % quantile of a method's errors, rounded up to 1, 2
-    /// or 5 times a power of ten.
-    double min = 0, max = 0;
+    /// The end of the error maps' scale, shared by all methods: error_map_max() of the largest 99 % quantile of a
+    /// method's errors. The scale is logarithmic, because errors of methods differ by powers of ten.
+    double max = 0;
 };
 
 /// Draws the comparison of the manifest's [compare]. Without that table it compares the values of the knob `method`,
@@ -34,7 +33,11 @@ struct Comparison {
 /// an unknown knob or value.
 std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& manifest);
 
-/// Returns an error as colours on the scale: black for `min` and below, pale yellow for `max` and above.
-Image error_map(const Comparison& comparison, const Image& error);
+/// Returns the end of an error map's scale: the 99 % quantile of the errors, rounded up to 1, 2 or 5 times a power of
+/// ten. 1 if that is 0. The scale begins at a thousandth of it.
+double error_map_max(double p99);
+/// Returns an error as colours on the logarithmic scale up to `max`: black for max / 1000 and below, pale yellow for
+/// `max` and above.
+Image error_map(double max, const Image& error);
 
 }  // namespace relief::pages

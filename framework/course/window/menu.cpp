@@ -146,8 +146,8 @@ private:
 
     /// Returns whether to run a check now: between two frames, if nothing is being dragged and the panel is visible.
     bool checking() const {
-        return checks_.pending() && !start_.is_open() && !panel_hidden_ && !is_dragged() &&
-               glfwGetTime() - opened_ >= still_for;
+        return checks_.pending() && (check_view_.is_open() || !stage_.is_opening()) && !start_.is_open() &&
+               !panel_hidden_ && !is_dragged() && glfwGetTime() - opened_ >= still_for;
     }
     bool is_dragged() const {
         for (int button = 0; button < 3; ++button)
@@ -234,7 +234,10 @@ private:
             draw_start_page(window, wish);
             return;
         }
-        const Layout layout = borders_.layout(window, scale_, {.panel = !panel_hidden_, .handout = handout_.is_open()});
+        const Layout layout = borders_.layout(window, scale_,
+                                              {.panel = !panel_hidden_,
+                                               .handout = handout_.is_open(),
+                                               .legend = error_map_.on() && !check_view_.is_open()});
         const Box& picture = layout.picture;
         note(layout);
         mouse();
@@ -269,20 +272,23 @@ private:
         // Before a slow frame, show a note over the old picture for one turn.
         const bool waits = !check_view_.is_open() && stage_.is_due(room, time_) && stage_.is_slow();
         if (waits && !std::exchange(is_told_, true)) {
-            draw_note(picture, "drawing ...");
+            draw_opening(picture);
             turns_ = std::max(turns_, 2);
         } else if (!check_view_.is_open()) {
-            is_told_ = false;
             const bool is_first = !stage_.framebuffer();  // also compiles and loads
             const bool drawn = stage_.draw(room, time_);
+            is_told_ = !drawn && stage_.is_due(room, time_);  // it compiles: another turn goes on
+            if (is_told_) draw_opening(picture);
             if (drawn) error_map_.forget(), drawn_ = glfwGetTime();
             if (drawn && stage_.failed()) turns_ = 3;  // ImGui measures the error's box before it shows it
             if (drawn && !is_first) status_.note(stage_.milliseconds());
             wipe_.draw(stage_, room, time_, drawn);
+            if (is_told_ || wipe_.is_opening()) turns_ = std::max(turns_, 2);
             wipe_.draw_border({picture.at, room}, scale_, stage_);
-            error_map_.draw({picture.at.x + room.x, picture.at.y}, room, moves());
+            error_map_.draw({picture.at.x + room.x, picture.at.y}, room);
             pixel_.draw(stage_, error_map_, picture.at, room);
         }
+        error_map_.draw_legend(layout.legend, stage_.probe().name, moves());
         present(window, picture.at, room);
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -301,14 +307,27 @@ private:
         act(wish);
     }
 
+    /// Says what the picture waits for.
+    void draw_opening(const Box& picture) const {
+        if (!stage_.is_opening()) return draw_note(picture, "drawing ...");
+        const ImVec2 low{float(picture.at.x), float(picture.at.y)},
+            high{float(picture.right()), float(picture.bottom())};
+        if (stage_.backdrop().framebuffer)
+            ImGui::GetBackgroundDrawList()->AddRectFilled(low, high, IM_COL32(16, 17, 20, 150));
+        const int pauses = stage_.pauses();
+        draw_note(picture, pauses == 0
+                               ? fmt::format("opening {} ...", title_of(stage_.entry()))
+                               : fmt::format("opening {}: compiling, {} done ...", title_of(stage_.entry()), pauses));
+    }
+
     /// Draws a note in the lower left corner of the picture.
-    static void draw_note(const Box& picture, const char* note) {
+    static void draw_note(const Box& picture, const std::string& note) {
         const float margin = ImGui::GetStyle().WindowPadding.x;
-        const ImVec2 size = ImGui::CalcTextSize(note);
+        const ImVec2 size = ImGui::CalcTextSize(note.c_str());
         const ImVec2 at{float(picture.at.x) + margin, float(picture.bottom()) - 2 * margin - size.y};
         ImDrawList& list = *ImGui::GetForegroundDrawList();
-        list.AddRectFilled(at, {at.x + size.x + 2 * margin, at.y + size.y + margin}, IM_COL32(16, 17, 20, 225), 4);
-        list.AddText({at.x + margin, at.y + margin / 2}, ImGui::ColorConvertFloat4ToU32(accent), note);
+        list.AddRectFilled(at, {at.x + size.x + 2 * margin, at.y + size.y + margin}, IM_COL32(16, 17, 20, 255), 4);
+        list.AddText({at.x + margin, at.y + margin / 2}, ImGui::ColorConvertFloat4ToU32(accent), note.c_str());
     }
 
     /// Adds a step of undo for a setting that is complete, not for one in the middle of a drag.
@@ -331,13 +350,22 @@ private:
         glViewport(0, 0, window.x, window.y);
         glClearColor(0.08f, 0.085f, 0.10f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        if (!stage_.framebuffer() || check_view_.is_open()) return;
+        if (check_view_.is_open()) return;
+        const Stage::Backdrop& backdrop = stage_.backdrop();
+        if (!stage_.framebuffer() && !backdrop.framebuffer) return;
         const int bottom = window.y - at.y - room.y;  // framebuffer rows count from the bottom
         const auto copy = [&](GLuint from, int begin, int end) {
             glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
             glBlitFramebuffer(begin, 0, end, room.y, at.x + begin, bottom, at.x + end, bottom + room.y,
                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
         };
+        if (!stage_.framebuffer()) {
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop.framebuffer);
+            glBlitFramebuffer(0, 0, backdrop.size.x, backdrop.size.y, at.x, bottom, at.x + room.x, bottom + room.y,
+                              GL_COLOR_BUFFER_BIT, GL_LINEAR);
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            return;
+        }
         const int held = wipe_.framebuffer() ? wipe_.columns(room.x) : 0;
         if (held > 0) copy(wipe_.framebuffer(), 0, held);
         if (held < room.x) copy(stage_.framebuffer(), held, room.x);

@@ -98,6 +98,8 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         const bool is_whole = checks.state(task) == TaskState::passed;
         colored_text(is_whole ? good : quiet, check::points_text(checks.of(task)));
         ImGui::SameLine();
+        const float edit_width = ImGui::CalcTextSize("edit").x + 2 * ImGui::GetStyle().FramePadding.x;
+        if (ImGui::GetContentRegionAvail().x < edit_width) ImGui::NewLine();
         ImGui::PushID(task.id.c_str());
         if (ImGui::SmallButton("edit")) wish.edit = {task.file, line_of(task)};
         ImGui::PopID();

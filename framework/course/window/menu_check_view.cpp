@@ -26,7 +26,7 @@ void show_texels(const Texture& texture) {
 void draw_tag(ImVec2 at, const char* word, bool from_right) {
     const ImVec2 size = ImGui::CalcTextSize(word);
     if (from_right) at.x -= size.x + 12;
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + 12, at.y + size.y + 6}, IM_COL32(16, 17, 20, 200));
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + 12, at.y + size.y + 6}, IM_COL32(16, 17, 20, 255));
     ImGui::GetWindowDrawList()->AddText({at.x + 6, at.y + 3}, IM_COL32(255, 255, 255, 255), word);
 }
 
@@ -144,7 +144,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
         if (difference_) {
             wrapped(differs_ + ".");
             ImGui::Dummy({size.x, 0});
-            draw_heat_scale("0", largest_ + " and more", size.x);
+            draw_heat_scale({"0", largest_ + " and more"}, size.x);
         }
         ImGui::End();
         if (both) {

@@ -65,7 +65,6 @@ void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWis
     ImGui::SetNextWindowPos({float(picture.at.x) + margin, float(picture.at.y) + margin});
     // A long log scrolls, so that the last good picture stays in view below it.
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, float(picture.size.y) * 0.45f});
-    ImGui::SetNextWindowBgAlpha(0.94f);
     ImGui::Begin("error", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);

@@ -8,13 +8,14 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
+#include "framework/course/pages/comparison.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
 
-void draw_heat_scale(const std::string& first, const std::string& last, float width) {
+void draw_heat_scale(const std::vector<std::string>& marks, float width) {
     constexpr int steps = 5;  // visualize_error() interpolates linearly between these colours
     Image values(steps + 1, 1, 1);
     for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
@@ -32,14 +33,21 @@ void draw_heat_scale(const std::string& first, const std::string& last, float wi
             color(i));
     ImGui::Dummy({width, height});
     const float left = ImGui::GetCursorPosX();
-    ImGui::TextColored(quiet, "%s", first.c_str());
-    ImGui::SameLine(left + width - ImGui::CalcTextSize(last.c_str()).x);
-    ImGui::TextColored(quiet, "%s", last.c_str());
+    const float last = width - ImGui::CalcTextSize(marks.back().c_str()).x;
+    for (size_t i = 0; i < marks.size(); ++i) {
+        const float share = float(i) / float(marks.size() - 1), wide = ImGui::CalcTextSize(marks[i].c_str()).x;
+        if (i > 0 && i + 1 < marks.size() && width * share + wide > last) continue;  // it would touch the last mark
+        if (i > 0) ImGui::SameLine();
+        // Centred below its colour, but within the scale.
+        ImGui::SetCursorPosX(left + std::clamp(width * share - wide / 2, 0.0f, std::max(0.0f, width - wide)));
+        ImGui::TextColored(quiet, "%s", marks[i].c_str());
+    }
 }
 
 void ErrorMap::forget() {
     done_ = false;
     picture_.reset(), compared_.reset();
+    tiles_.clear();
     message_.clear();
 }
 
@@ -55,6 +63,23 @@ void ErrorMap::compute(Stage& stage) {
 }
 
 namespace {
+
+/// Returns the words of the stage's picture. Draws it small: only the places matter.
+std::vector<PictureWord> words_of(const Stage& stage) {
+    Shot shot = stage.shot();
+    shot.probe = {};
+    shot.size = glm::max(shot.size / 4, glm::ivec2(1));
+    const Target target(TargetKind::picture, shot.size);
+    const WithoutWords without_words;
+    draw_lab(*stage.lab(), frame_of(shot, target));
+    return without_words.words();
+}
+
+/// Draws the scale of pages::error_map().
+void draw_log_scale(double max, const std::string& unit) {
+    draw_heat_scale({rounded(max / 1000), rounded(max / 100), rounded(max / 10), amount_of(max, unit) + " and more"},
+                    ImGui::GetContentRegionAvail().x);
+}
 
 std::string sentence(std::string text) {
     text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
@@ -89,12 +114,13 @@ void ErrorMap::compare(Stage& stage) {
         if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
             throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
         one_sided_ = one_sided(values, *truth).count();
-        const double scale = error_.p99 > 0 ? error_.p99 : 1;
+        const double scale = pages::error_map_max(error_.p99);
         Image shown = error;
         mark_one_sided(shown, values, *truth, scale);
         compared_ = {probe, std::move(values), *truth, error};
+        tiles_ = tile_means(words_of(stage), error);
         picture_.emplace(
-            "error map", [&] { return visualize_error(shown, scale); },
+            "error map", [&] { return pages::error_map(scale, shown); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
         bind(0, *picture_);  // uploads it now, while `error` is in scope
         print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
@@ -105,42 +131,59 @@ void ErrorMap::compare(Stage& stage) {
     throw Error(sentence(no_truth(stage.entry(), stage.settings())));
 }
 
-void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
-    if (!on_) return;
-    const auto left = float(at.x), right = float(at.x + size.x), bottom = float(at.y + size.y);
-    if (picture_)  // row 0 of a texture is the bottom
-        ImGui::GetBackgroundDrawList()->AddImage(texture_id(*picture_), {left, float(at.y)}, {right, bottom}, {0, 1},
-                                                 {1, 0});
-    ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
-    ImGui::SetNextWindowBgAlpha(0.8f);
-    ImGui::Begin("error map", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (!done_) {
-        wrapped(moves ? "The error map needs a paused animation: press space." : "computing the exact values");
-    } else if (!picture_) {
-        wrapped(message_);
-    } else {
-        const ProbeInfo& probe = compared_->probe;
-        wrapped(fmt::format("{}: distance from the exact value", probe.name));
-        if (error_.count > 0)
-            wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
-                                amount_of(error_.largest, probe.unit)));
-        if (one_sided_ > 0)
-            wrapped(
-                fmt::format("{} pixels, in the lightest colour, have a surface in only one of the two.", one_sided_));
-        if (error_.missing > 0)
-            wrapped(fmt::format("{} pixels, in magenta, come from a task that is not written yet.", error_.missing));
-        if (error_.not_finite > 0) {
-            ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-            wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
-            ImGui::PopStyleColor();
-        }
-        if (error_.count > 0)
-            draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
+void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size) const {
+    if (!on_ || !picture_) return;
+    const ImVec2 low{float(at.x), float(at.y)}, high{float(at.x + size.x), float(at.y + size.y)};
+    // Row 0 of a texture is the bottom.
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddImage(texture_id(*picture_), low, high, {0, 1}, {1, 0});
+    for (const TileMean& tile : tiles_) {
+        const std::string line = amount_of(tile.mean, compared_->probe.unit);
+        const ImVec2 wide = ImGui::CalcTextSize(line.c_str());
+        const float x = low.x + float(size.x) * (tile.place.x + tile.size.x / 2) - wide.x / 2,
+                    y = low.y + float(size.y) * (tile.place.y + tile.size.y) - 1.5f * wide.y;
+        list.AddRectFilled({x - 4, y - 2}, {x + wide.x + 4, y + wide.y + 2}, IM_COL32(16, 17, 20, 255), 3);
+        list.AddText({x, y}, IM_COL32_WHITE, line.c_str());
+    }
+}
+
+void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves) const {
+    if (box.size.y == 0) return;
+    begin_in(box, "error map", ImGui::GetStyle().WindowPadding, true);
+    if (ImGui::BeginTable("halves", 2, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        push_font(font(FontRole::bold));
+        wrapped("Left: " + (probe.empty() ? "the picture" : probe));
+        ImGui::PopFont();
+        if (picture_) draw_notes();
+        ImGui::TableNextColumn();
+        push_font(font(FontRole::bold));
+        wrapped(picture_ ? fmt::format("Right: the error of {}", compared_->probe.name) : "Right: the error map");
+        ImGui::PopFont();
+        if (!done_)
+            quiet_text(moves ? "The error map needs a paused animation: press space."
+                             : "computing the exact values ...");
+        else if (!picture_)
+            wrapped(message_);
+        else if (error_.count > 0 && error_.largest == 0)
+            wrapped("None: every pixel has the exact value.");
+        else if (error_.count > 0)
+            draw_log_scale(pages::error_map_max(error_.p99), compared_->probe.unit);
+        ImGui::EndTable();
     }
     ImGui::End();
+}
+
+void ErrorMap::draw_notes() const {
+    if (error_.count > 0)
+        wrapped(fmt::format("{}mean {}, 99 % {}, largest {}", tiles_.empty() ? "" : "in all: ", rounded(error_.mean),
+                            rounded(error_.p99), amount_of(error_.largest, compared_->probe.unit)));
+    if (one_sided_ > 0)
+        quiet_text(fmt::format("{} pixels, in the lightest colour: a surface in only one of the two", one_sided_));
+    if (error_.missing > 0)
+        quiet_text(fmt::format("{} pixels, in magenta: a task that is not written yet", error_.missing));
+    if (error_.not_finite > 0)
+        colored_text(alarm, fmt::format("{} pixels, in magenta: NaN or infinite", error_.not_finite));
 }
 
 }  // namespace relief::window

@@ -3,17 +3,20 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/course/window/menu_layout.h"
+#include "framework/course/window/menu_tiles.h"
 
 namespace relief::window {
 
 class Stage;
 
-/// Draws the colour scale of errors, `width` pixels wide, labelled from `first` to `last`.
-void draw_heat_scale(const std::string& first, const std::string& last, float width);
+/// Draws the colour scale of errors, `width` pixels wide, with evenly spaced marks: two or more.
+void draw_heat_scale(const std::vector<std::string>& marks, float width);
 
 class ErrorMap {
 public:
@@ -39,11 +42,14 @@ public:
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it with its upper left corner at `at`. With `moves` the picture is animated, so there is no map.
-    void draw(glm::ivec2 at, glm::ivec2 size, bool moves) const;
+    /// Draws it with its upper left corner at `at`.
+    void draw(glm::ivec2 at, glm::ivec2 size) const;
+    /// Draws what both halves show, below them. With `moves` the picture is animated, so there is no map.
+    void draw_legend(const Box& box, const std::string& probe, bool moves) const;
 
 private:
     void compare(Stage& stage);
+    void draw_notes() const;
 
     bool on_ = false, done_ = false;
     std::string message_;
@@ -51,6 +57,7 @@ private:
     ErrorSummary error_;
     size_t one_sided_ = 0;  ///< pixels
     std::optional<Texture> picture_;
+    std::vector<TileMean> tiles_;
 };
 
 }  // namespace relief::window

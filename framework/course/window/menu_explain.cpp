@@ -44,7 +44,6 @@ void PixelExplanation::draw(const Box& picture, float scale) {
     const float margin = 16 * scale, width = std::clamp(float(picture.size.x) - 2 * margin, 100.0f, 760 * scale);
     ImGui::SetNextWindowPos({float(picture.at.x) + margin, float(picture.at.y) + margin});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(1.0f, float(picture.size.y) - 2 * margin)});
-    ImGui::SetNextWindowBgAlpha(0.94f);
     ImGui::Begin("explain", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);

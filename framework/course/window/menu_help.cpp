@@ -44,11 +44,13 @@ constexpr Line places[] = {{"Home", "all labs, with a picture and the points of 
 template <size_t count>
 void draw_lines(const char* title, const Line (&lines)[count], float keys_width) {
     ImGui::TextColored(accent, "%s", title);
+    const float left = ImGui::GetCursorPosX();
     for (const Line& line : lines) {
         push_font(font(FontRole::bold));
         ImGui::TextUnformatted(line.keys);
         ImGui::PopFont();
-        ImGui::SameLine(keys_width);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + keys_width);
         wrapped(line.does);
     }
     ImGui::Dummy({0, 4});
@@ -58,7 +60,9 @@ void draw_lines(const char* title, const Line (&lines)[count], float keys_width)
 
 void draw_help(const Box& picture, float scale, bool& open) {
     if (!open) return;
-    const float width = std::min(520 * scale, ImGui::GetIO().DisplaySize.x - 32 * scale);
+    const float room = ImGui::GetIO().DisplaySize.x - 32 * scale;
+    const int columns = room >= 940 * scale ? 2 : 1;
+    const float width = std::min(float(columns) * 500 * scale, room);
     const float middle = float(picture.at.x) + float(picture.size.x) / 2;
     // Beside a narrow picture it covers the panel, too. In a low window it scrolls.
     const float x = std::clamp(middle - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
@@ -72,11 +76,16 @@ void draw_help(const Box& picture, float scale, bool& open) {
     push_font(font(FontRole::title));
     ImGui::TextUnformatted("Keys and mouse");
     ImGui::PopFont();
-    const float keys_width = 150 * scale;
-    draw_lines("Camera", camera, keys_width);
-    draw_lines("Settings", settings, keys_width);
-    draw_lines("Pictures and values", looks, keys_width);
-    draw_lines("Labs and the window", places, keys_width);
+    const float keys_width = 125 * scale;
+    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        draw_lines("Camera", camera, keys_width);
+        draw_lines("Pictures and values", looks, keys_width);
+        ImGui::TableNextColumn();  // the next row, if there is one column
+        draw_lines("Settings", settings, keys_width);
+        draw_lines("Labs and the window", places, keys_width);
+        ImGui::EndTable();
+    }
     quiet_text(fmt::format(
         "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
         "the lab's map, and an OBJ {}file its shape.",

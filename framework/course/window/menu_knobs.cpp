@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
@@ -67,8 +69,9 @@ public:
         const int digits = std::max(3, int(std::ceil(std::log10(std::max(1.0, largest) + 1))));
         const std::string format = fmt::format("%.{}g{}", digits, unit_after_number(read_help(help).unit));
         row(name, help, [&] {
-            const bool is_moved =
-                ImGui::SliderFloat(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            const bool is_moved = bar((value - low) / (high - low), [&] {
+                return ImGui::SliderFloat(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            });
             if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) motion_.toggle_slider(name);
             return is_moved;
         });
@@ -76,7 +79,9 @@ public:
     void steps(const char* name, int& value, int low, int high, const char* help) override {
         const std::string format = "%d" + unit_after_number(read_help(help).unit);
         row(name, help, [&] {
-            return ImGui::SliderInt(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            return bar(float(value - low) / float(high - low), [&] {
+                return ImGui::SliderInt(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            });
         });
     }
     void toggle(const char* name, bool& value, const char* help) override {
@@ -87,6 +92,32 @@ public:
     }
 
 private:
+    /// Draws a slider as a bar from its minimum to its value, because a grab would cover a part of the number.
+    template <class Slider>
+    static bool bar(float share, Slider slider) {
+        const ImVec2 at = ImGui::GetCursorScreenPos(), size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
+        const float rounding = ImGui::GetStyle().FrameRounding;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+        const float filled = size.x * std::clamp(share, 0.0f, 1.0f);
+        if (filled >= 1)
+            list.AddRectFilled(at, {at.x + filled, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_SliderGrab),
+                               std::min(rounding, filled / 2));
+        const std::pair<ImGuiCol, float> shown[] = {{ImGuiCol_FrameBg, 0},
+                                                    {ImGuiCol_FrameBgHovered, 0.4f},
+                                                    {ImGuiCol_FrameBgActive, 0.4f},
+                                                    {ImGuiCol_SliderGrab, 0},
+                                                    {ImGuiCol_SliderGrabActive, 0}};
+        for (const auto& [color, opacity] : shown) {
+            ImVec4 thin = ImGui::GetStyle().Colors[color];
+            thin.w = opacity;
+            ImGui::PushStyleColor(color, thin);
+        }
+        const bool is_moved = slider();
+        ImGui::PopStyleColor(int(std::size(shown)));
+        return is_moved;
+    }
+
     template <class Widget>
     void row(const char* name, const char* help, Widget widget) {
         if (!shown_) return;

@@ -5,6 +5,11 @@
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
+namespace {
+
+constexpr float legend_height = 104;  // pixels at scale 1: four lines
+
+}  // namespace
 
 Layout Borders::layout(glm::ivec2 window, float scale, Shown shown) const {
     Layout layout;
@@ -24,7 +29,9 @@ Layout Borders::layout(glm::ivec2 window, float scale, Shown shown) const {
     }
     layout.panel = {{0, header}, {panel, height}};
     layout.handout = {{window.x - handout, header}, {handout, height}};
-    layout.picture = {{panel, header}, {std::max(1, window.x - panel - handout), height}};
+    const int legend = shown.legend ? std::min(int(legend_height * scale), height / 2) : 0;
+    layout.picture = {{panel, header}, {std::max(1, window.x - panel - handout), std::max(1, height - legend)}};
+    layout.legend = {{panel, layout.picture.bottom()}, {layout.picture.size.x, legend}};
     return layout;
 }
 

@@ -16,15 +16,16 @@ struct Box {
 };
 
 /// The header at the top and the status at the bottom have the window's width. The panel, the picture and the handout
-/// stand between them. Hidden parts have size 0.
+/// stand between them, and the legend of the error map below the picture. Hidden parts have size 0.
 struct Layout {
-    Box header, panel, picture, handout, status;
+    Box header, panel, picture, legend, handout, status;
 };
 
 /// The visible parts beside the picture.
 struct Shown {
     bool panel = true;  ///< also header and status
     bool handout = false;
+    bool legend = false;
 };
 
 class Borders {

@@ -93,11 +93,10 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corne
     const ImVec2 at(float(corner.x + pixel.x) + 16, float(corner.y + pixel.y) + 16);
     ImGui::SetNextWindowPos(at, ImGuiCond_Always,
                             {at.x > io.DisplaySize.x * 0.7f ? 1.1f : 0, at.y > io.DisplaySize.y * 0.8f ? 1.3f : 0});
-    ImGui::SetNextWindowBgAlpha(0.9f);
     ImGui::Begin("pixel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
-    quiet_text(fmt::format("{} at {}, {}{}", probe.name, pixel.x, pixel.y, held_ ? ", held" : ""));
+    ImGui::TextColored(quiet, "%s at %d, %d%s", probe.name.c_str(), pixel.x, pixel.y, held_ ? ", held" : "");
     const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
     draw_rows(rows);
     ImGui::End();

@@ -9,16 +9,30 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/gl/counters.h"
+#include "framework/core/gl/draw_watch.h"
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/visualize.h"
 #include "framework/course/check/check.h"
 
 namespace relief::window {
+namespace {
+
+constexpr double patience = 100;  // milliseconds
+
+/// Ends a draw that compiles.
+struct Pause {};
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
 
 void Stage::open(const LabEntry& entry, const Shot* start) {
     lab_.reset();
-    probe_picture_.reset(), values_.reset();
-    shown_ = 0;
+    keep_as_backdrop();
+    values_.reset();
+    prepared_ = drawn_ = false, pauses_ = 0;
     entry_ = &entry;
     manifest_ = {};
     defaults_.clear();
@@ -80,7 +94,24 @@ void Stage::reset_knob(const std::string& name) {
     changed();
 }
 
+void Stage::keep_as_backdrop() {
+    if (shown_) {
+        drop_backdrop();
+        backdrop_ = {shown_, shot_.size};
+        std::swap(backdrop_target_, target_);
+        if (probe_picture_) backdrop_probe_.emplace(*std::move(probe_picture_));
+    }
+    shown_ = 0;
+    probe_picture_.reset();
+}
+
+void Stage::drop_backdrop() {
+    backdrop_ = {};
+    backdrop_target_.reset(), backdrop_probe_.reset();
+}
+
 void Stage::fail(const Error& error) {
+    drop_backdrop();
     failure_ = error;
     print_error(error.what());
 }
@@ -110,7 +141,8 @@ bool Stage::is_due(glm::ivec2 size, double time) const {
 
 bool Stage::draw(glm::ivec2 size, double time) {
     if (!is_due(size, time)) return false;
-    stale_ = false;
+    if (!prepared_ && !prepare(size, time)) return false;
+    stale_ = false, drawn_ = true;
     failure_.reset();
     shot_.size = size, shot_.time = time;
     draw_calls_ = 0;
@@ -125,9 +157,10 @@ bool Stage::draw(glm::ivec2 size, double time) {
         draw_lab(*lab_, frame_of(shot_, *target_));
         draw_calls_ = counters().draw_calls - draw_calls_before;
         glFinish();
-        milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        milliseconds_ = milliseconds_since(begin);
         if (shot_.probe) values_ = target_->read();
         shown_ = shot_.probe ? draw_probe(picture()) : target_->resolve();
+        drop_backdrop();
     } catch (const Error& error) {
         fail(error);
     } catch (const std::exception& error) {  // exceptions from a lab must not close the window
@@ -138,6 +171,40 @@ bool Stage::draw(glm::ivec2 size, double time) {
                             entry_->folder, counters().live_objects(), draw_calls_, counters().texture_bytes,
                             milliseconds_));
     return true;
+}
+
+// A program is compiled in two steps: when it is linked, and by a software renderer also in its first draw call, which
+// takes up to seconds. So the first picture is drawn small, and again after each pause, until nothing is compiled.
+bool Stage::prepare(glm::ivec2 size, double time) {
+    Shot shot = shot_;
+    shot.size = glm::max(size / 4, glm::ivec2(1)), shot.time = time;
+    auto last = std::chrono::steady_clock::now();
+    int64_t links = counters().links;
+    double compiling = 0;  // milliseconds
+    try {
+        Target small(shot.probe ? TargetKind::probe : TargetKind::picture, shot.size);
+        const DrawWatch watch([&](const std::function<void()>& draw_call) {
+            draw_call();
+            // Pauses only after new work: what an earlier attempt compiled is not compiled again.
+            if (std::exchange(links, counters().links) < counters().links) compiling += milliseconds_since(last);
+            if (compiling > patience) throw Pause();
+            last = std::chrono::steady_clock::now();
+        });
+        draw_lab(*lab_, frame_of(shot, small));
+        prepared_ = true;
+        if (pauses_ == 0 || shot.probe) return true;
+        drop_backdrop();
+        backdrop_target_ = std::move(small);
+        backdrop_ = {backdrop_target_->resolve(), shot.size};
+        print_event(fmt::format("small picture of {}", entry_->folder));
+        return false;
+    } catch (const Pause&) {
+        ++pauses_;
+        print_event(fmt::format("pause {}: {}, compiling", pauses_, entry_->folder));
+        return false;
+    } catch (const std::exception&) {  // drawing the frame reports it
+        return prepared_ = true;
+    }
 }
 
 // The values were read back and return as a texture of colours. This happens only after a change.

@@ -62,11 +62,22 @@ public:
     bool is_due(glm::ivec2 size, double time) const;
     /// Returns whether drawing may take noticeably long: for a lab's first frame, or after a frame of more than 400 ms.
     bool is_slow() const { return shown_ == 0 || milliseconds_ > 400; }
-    /// Draws if something has changed since the last call. Returns whether it did.
+    /// Draws if something has changed since the last call. Returns whether it did. Before a lab's first frame, a call
+    /// may only compile a program and return false. The frame is then still due.
     bool draw(glm::ivec2 size, double time);
+    /// Returns whether the lab has no frame yet and waits for one.
+    bool is_opening() const { return lab_ && !drawn_; }
+    /// Number of calls of draw() that compiled programs for the first frame.
+    int pauses() const { return pauses_; }
 
     /// The framebuffer of the last good frame (one sample per pixel), for a blit; 0 if there is none.
     GLuint framebuffer() const { return shown_; }
+    /// A picture to show until there is a frame: the last one of the previous lab, or a small one of this lab.
+    struct Backdrop {
+        GLuint framebuffer = 0;  ///< 0 if there is none
+        glm::ivec2 size{0, 0};
+    };
+    const Backdrop& backdrop() const { return backdrop_; }
     const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
     /// The probe's values, if a probe is shown.
@@ -89,6 +100,9 @@ public:
 private:
     void fail(const Error& error);
     GLuint draw_probe(Image picture);
+    bool prepare(glm::ivec2 size, double time);
+    void keep_as_backdrop();
+    void drop_backdrop();
 
     const LabEntry* entry_ = nullptr;
     Manifest manifest_;
@@ -103,8 +117,12 @@ private:
     std::optional<ProbePicture> probe_picture_;
     std::optional<Image> values_;
     GLuint shown_ = 0;
+    Backdrop backdrop_;
+    std::optional<Target> backdrop_target_;  ///< owns the backdrop, unless it is a probe
+    std::optional<ProbePicture> backdrop_probe_;
     std::vector<KnobText> defaults_;
-    bool stale_ = true, renewed_ = false;
+    bool stale_ = true, renewed_ = false, prepared_ = false, drawn_ = false;
+    int pauses_ = 0;
     int64_t edits_ = 0;
     std::optional<Error> failure_;         ///< from the last frame, or from opening the lab
     std::optional<Error> shader_failure_;  ///< from shaders saved since the lab was opened

@@ -9,6 +9,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
+#include "framework/course/check/check.h"
 #include "framework/course/pages/lab_groups.h"
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_imgui.h"
@@ -20,11 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float card_width = 250, picture_shape = 10.0f / 16;  // pixels at scale 1; height over width
+constexpr float inner = 0.85f;  // share of a picture that its card shows: captions at its edges would be cut
 
 /// Fills a rectangle with the middle of a picture.
 void fill(ImDrawList& list, GLuint texture, glm::vec2 picture, ImVec2 at, ImVec2 size) {
     const float wide = picture.x / picture.y * size.y / size.x;  // the picture's shape over the rectangle's
-    const glm::vec2 part = wide > 1 ? glm::vec2(1 / wide, 1) : glm::vec2(1, wide);
+    const glm::vec2 part = inner * (wide > 1 ? glm::vec2(1 / wide, 1) : glm::vec2(1, wide));
     const glm::vec2 low = (1.0f - part) / 2.0f, high = (1.0f + part) / 2.0f;
     // Row 0 of a texture is the bottom.
     list.AddImage(texture_id(texture), at, {at.x + size.x, at.y + size.y}, {low.x, high.y}, {high.x, low.y});
@@ -87,7 +89,7 @@ void StartPage::check_next() {
     Card& card = cards_[checked_];
     try {
         if (!checks_.is_of(*card.lab)) {
-            const Manifest manifest = load_manifest(*card.lab);
+            const Manifest manifest = check::manifest_to_check(*card.lab);
             Checks::Files files = Checks::files(*card.lab, manifest);
             if (files == card.files) {
                 ++checked_;

@@ -83,9 +83,8 @@ void style_menu(float scale) {
     style.Colors[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.13f, 1};
     style.Colors[ImGuiCol_Header] = {0.22f, 0.19f, 0.18f, 1};
     style.Colors[ImGuiCol_CheckMark] = accent;
-    // Dark enough for the digits on it: white has a contrast of 5 to 1.
-    style.Colors[ImGuiCol_SliderGrab] = {0.64f, 0.34f, 0.19f, 1};
-    style.Colors[ImGuiCol_SliderGrabActive] = {0.70f, 0.38f, 0.22f, 1};
+    // Dark enough for the digits on it: white has a contrast of 8 to 1.
+    style.Colors[ImGuiCol_SliderGrab] = {0.48f, 0.28f, 0.18f, 1};
     for (const int color : {ImGuiCol_Tab, ImGuiCol_TabUnfocused}) style.Colors[color] = {0.14f, 0.15f, 0.18f, 1};
     for (const int color : {ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive})
         style.Colors[color] = {0.36f, 0.26f, 0.21f, 1};
@@ -113,11 +112,13 @@ void quiet_text(const std::string& line) { colored_text(quiet, line); }
 
 void tooltip(const std::string& line) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // opaque over a disabled widget, too
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
     text(line);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace relief::window

@@ -24,7 +24,7 @@ void draw_name(const char* name, const std::string& difference, ImVec2 at, float
     if (at_right) at.x -= size.x + 12;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({from, at.y}, {to, at.y + size.y + 8});
-    list.AddRectFilled(at, {at.x + size.x + 12, at.y + size.y + 8}, IM_COL32(16, 17, 20, 210));
+    list.AddRectFilled(at, {at.x + size.x + 12, at.y + size.y + 8}, IM_COL32(16, 17, 20, 255));
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + 6, at.y + 4}, IM_COL32_WHITE, line.c_str(), nullptr,
                  width);
     list.PopClipRect();

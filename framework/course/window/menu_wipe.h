@@ -15,6 +15,8 @@ public:
     /// Holds the knobs of the stage as A, in a lab of its own.
     void hold(const Stage& stage);
     void let_go() { held_.reset(); }
+    /// Returns whether A has no picture yet: draw() compiles a part of it.
+    bool is_opening() const { return held_ && held_->is_opening(); }
     /// Swaps A and the current setting.
     void swap(Stage& stage);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/lab/registry.h"
@@ -52,6 +54,7 @@ private:
     Fields of(const grade::LabMark& lab, const grade::TaskMark& task) {
         check::Outcome worst = check::Outcome::passed;
         task_has_pictures_ = false;
+        told_.clear();
         List checks;
         for (const grade::CheckMark& check : task.checks) {
             worst = std::max(worst, check.outcome);
@@ -81,6 +84,13 @@ private:
         lost_pictures_ |= open && !shown && wrong;
         const bool unfolded = !(shown && task_has_pictures_);
         task_has_pictures_ |= open && shown;
+        Value pictures;
+        if (open && shown) {
+            Fields figures =
+                check_figures(*shown->manifest, shown->check, shown->drawn, shown->expected, DrawnBy::submission);
+            tell_once(figures, told_);
+            pictures = std::move(figures);
+        }
         return {{"open", open},
                 {"unfolded", unfolded},
                 {"badge", badge(check.outcome)},
@@ -90,11 +100,9 @@ private:
                 {"said", check.outcome == check::Outcome::passed ? check.found : "as above"},
                 {"facts", facts({{wrong ? "found" : "message", check.found},
                                  {"view", check.view},
-                                 {"allowed", wrong && shown ? shown->check.reason : ""},
+                                 {"why this limit", wrong && shown ? shown->check.reason : ""},
                                  {"look at", with_code(first_hint(task, check))}})},
-                {"pictures", open && shown ? check_figures(*shown->manifest, shown->check, shown->drawn,
-                                                           shown->expected, DrawnBy::submission)
-                                           : Value()}};
+                {"pictures", std::move(pictures)}};
     }
 
     /// Returns the check's hint, unless an earlier failed check of the task has shown the same one, or the hint of a
@@ -111,7 +119,9 @@ private:
         const bool passed = check.outcome == check::Outcome::passed;
         Fields outcome = badge(check.outcome);
         if (check.hidden && passed) outcome["words"] = "hidden check: passed";
-        return {{"open", !passed},
+        List known =
+            facts({{"found", grade::found_for_students(check)}, {"look at", with_code(first_hint(task, check))}});
+        return {{"open", !passed && !known.empty()},
                 {"unfolded", true},
                 {"badge", std::move(outcome)},
                 {"name", !check.hidden ? check.name
@@ -120,8 +130,7 @@ private:
                 {"hidden", false},
                 {"hidden_view", false},
                 {"said", ""},
-                {"facts",
-                 facts({{"found", grade::found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
+                {"facts", std::move(known)},
                 {"pictures", Value()}};
     }
 
@@ -172,6 +181,7 @@ private:
     bool for_student_;
     bool any_hidden_ = false, lost_pictures_ = false;
     bool task_has_pictures_ = false;  ///< only the first pictures of a task are unfolded
+    std::set<std::string> told_;      ///< probes of the task whose colours are explained
 };
 
 }  // namespace

@@ -287,7 +287,7 @@ TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     EXPECT_TRUE(contains(words(), "good"));
     EXPECT_EQ(browser().eval("document.querySelectorAll('tr.chosen').length"), 1);
     // With the keyboard, from the table.
-    browser().eval("document.querySelector('details').open = true");
+    browser().eval("document.querySelector('section details').open = true");
     ASSERT_TRUE(browser().tab_to("tr[data-row=\"3\"]"));
     browser().press("Enter");
     EXPECT_TRUE(contains(words(), "<exact>"));

@@ -22,5 +22,16 @@ TEST(CheckFigures, ASurfaceInOneImageOnlyIsTheLargestDifference) {
     EXPECT_TRUE(contains(shown.differs, "; 2 have a surface in one of the two only")) << shown.differs;
 }
 
+TEST(CheckFigures, TheColoursOfEachProbeAreExplainedOnce) {
+    std::set<std::string> told;
+    std::string shown;
+    for (const char* probe : {"ray", "uv", "ray", "", "uv"}) {
+        Fields figures = {{"probe", probe}};
+        tell_once(figures, told);
+        shown += figures["probe"].text + ";";
+    }
+    EXPECT_EQ(shown, "ray;uv;;;;");
+}
+
 }  // namespace
 }  // namespace relief::pages
