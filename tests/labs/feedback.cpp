@@ -14,6 +14,7 @@ namespace {
 PFNGLLINKPROGRAMPROC link_program;
 PFNGLDRAWARRAYSPROC draw_arrays;
 GLuint captured;
+constexpr size_t room = size_t(1) << 25;  // bytes of it
 std::vector<glm::vec3>* places;
 
 void GLAD_API_PTR link_to_capture(GLuint program) {
@@ -31,10 +32,8 @@ void GLAD_API_PTR link_to_capture(GLuint program) {
 
 void GLAD_API_PTR draw_and_capture(GLenum mode, GLint first, GLsizei count) {
     if (mode != GL_PATCHES) return draw_arrays(mode, first, count);
-    constexpr size_t room = size_t(1) << 25;
     const QueryName written;
     glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, captured);
-    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, room, nullptr, GL_STREAM_READ);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, captured);
     glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, written);
     glBeginTransformFeedback(GL_TRIANGLES);
@@ -56,6 +55,8 @@ std::vector<glm::vec3> triangles_of(Lab& lab, const Shot& shot) {
     const BufferName buffer;
     std::vector<glm::vec3> result;
     captured = buffer, places = &result;
+    glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, captured);
+    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, room, nullptr, GL_STREAM_READ);  // slow, so not for each draw
     link_program = std::exchange(glad_glLinkProgram, link_to_capture);
     draw_arrays = std::exchange(glad_glDrawArrays, draw_and_capture);
     const Target target(TargetKind::probe, shot.size);

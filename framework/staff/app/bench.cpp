@@ -9,6 +9,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
+#include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/versions.h"
 #include "framework/course/pages/page.h"
@@ -27,18 +28,22 @@ struct BenchArguments {
     bool quick = false, work = false, update = false;
 };
 
+/// Returns the topics that are named, or whose lab is named, in the order of bench_topics(); all if nothing is named.
 std::vector<const measure::BenchTopic*> chosen(const std::vector<std::string>& names) {
+    std::vector<std::string> known, labs;
+    for (const measure::BenchTopic& topic : measure::bench_topics()) known.push_back(topic.name);
+    for (const LabEntry& lab : registry()) labs.push_back(lab.two_digits());
+    const auto has = [](const std::vector<std::string>& all, const std::string& one) {
+        return std::find(all.begin(), all.end(), one) != all.end();
+    };
+    for (const std::string& name : names)
+        if (!has(known, name) && !has(labs, name)) throw UsageError(unknown("topic", name, known));
     std::vector<const measure::BenchTopic*> topics;
-    std::vector<std::string> known;
-    for (const measure::BenchTopic& topic : measure::bench_topics()) {
-        known.push_back(topic.name);
-        if (names.empty()) topics.push_back(&topic);
-    }
-    for (const std::string& name : names) {
-        const auto found = std::find(known.begin(), known.end(), name);
-        if (found == known.end()) throw UsageError(unknown("topic", name, known));
-        topics.push_back(&measure::bench_topics()[size_t(found - known.begin())]);
-    }
+    for (const measure::BenchTopic& topic : measure::bench_topics())
+        if (names.empty() || has(names, topic.name) ||
+            std::any_of(topic.labs.begin(), topic.labs.end(), [&](const std::string& lab) { return has(names, lab); }))
+            topics.push_back(&topic);
+    if (topics.empty()) throw UsageError(fmt::format("no topic is about lab {} alone", names.front()));
     return topics;
 }
 
@@ -246,7 +251,7 @@ int run_bench(const BenchArguments& arguments) {
 class BenchCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.words("TOPIC", bench_.topics, "a topic [all]");
+        options.words("TOPIC", bench_.topics, "a topic, or the number of a lab for its topics [all]");
         options.value("-o", "FOLDER", bench_.output, "folder for the results [the course's build/bench]");
         options.values("--set", "KNOB=VALUE,...", bench_.set,
                        "sweep only these values: map=bricks,posts or method=linear; may be repeated");

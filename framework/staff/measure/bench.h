@@ -78,9 +78,10 @@ struct BenchTopic {
     std::string name, help;
     std::string question;  ///< the question that its measurements answer, for its page
     std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
-    bool draws = false;      ///< its methods need a context, from `prepare` to their destructors
-    bool only_time = false;  ///< has no work and no errors
-    bool sweeps = false;     ///< has no times: each subject has a `sweep`
+    bool draws = false;                  ///< its methods need a context, from `prepare` to their destructors
+    bool only_time = false;              ///< has no work and no errors
+    bool sweeps = false;                 ///< has no times: each subject has a `sweep`
+    std::vector<std::string> labs = {};  ///< two digits each: the labs to which it belongs, if they are few
 };
 std::span<const BenchTopic> bench_topics();
 
