@@ -4,16 +4,22 @@ include(framework/cmake/fetch.cmake)
 
 # A header needs a folder of its own: a cross compiler must not see any other header of this system.
 set(headers ${PROJECT_BINARY_DIR}/generated/headers)
+if(NOT CMAKE_CROSSCOMPILING)  # in MSYS2, the compiler finds them
+  set(headers $ENV{MINGW_PREFIX}/include)
+endif()
 function(relief_take_headers target place test_file)
+  if(NOT TARGET ${target})
+    add_library(${target} INTERFACE IMPORTED GLOBAL)
+  endif()
+  if(NOT CMAKE_CROSSCOMPILING)
+    return()
+  endif()
   string(MAKE_C_IDENTIFIER "RELIEF_HEADERS_${place}" found)
   find_path(${found} ${test_file} REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
   get_filename_component(parent ${headers}/${place} DIRECTORY)
   file(MAKE_DIRECTORY ${parent})
   if(NOT EXISTS ${headers}/${place})
     file(CREATE_LINK ${${found}}/${place} ${headers}/${place} SYMBOLIC)
-  endif()
-  if(NOT TARGET ${target})
-    add_library(${target} INTERFACE IMPORTED GLOBAL)
   endif()
   target_include_directories(${target} SYSTEM INTERFACE ${headers})
 endfunction()
@@ -25,6 +31,10 @@ relief_take_headers(nlohmann_json::nlohmann_json nlohmann nlohmann/json.hpp)
 
 # Reads the version of a library of headers, from the last numbers in the lines of a file that match a pattern.
 function(relief_version library file pattern)
+  if(NOT EXISTS ${headers}/${file})
+    set(${library}_VERSION "of another form" PARENT_SCOPE)
+    return()
+  endif()
   file(STRINGS ${headers}/${file} lines REGEX "define ${pattern}")
   list(TRANSFORM lines REPLACE "^#define +[A-Z0-9_]+[^0-9]+([0-9.]+).*" "\\1")
   list(JOIN lines . version)
@@ -51,6 +61,10 @@ target_include_directories(relief_png SYSTEM PUBLIC ${libpng_SOURCE_DIR} ${setti
 target_link_libraries(relief_png PUBLIC relief_zlib)
 set(PNG_VERSION_STRING 1.6.39)
 
+if(NOT CMAKE_CROSSCOMPILING)
+  return()  # rare_libraries.cmake fetches it
+endif()
+set(tinyobjloader_FOUND ON)
 relief_take_headers(relief_tinyobj tiny_obj_loader.h tiny_obj_loader.h)
 file(WRITE ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp.new
   "#define TINYOBJLOADER_IMPLEMENTATION\n#include <tiny_obj_loader.h>\n")

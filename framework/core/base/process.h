@@ -94,7 +94,7 @@ private:
 void become_program(const std::vector<std::string>& command);
 
 /// Shows a file in the browser, or in the program for its type, and does not wait. Returns false if there is no display
-/// or no xdg-open.
+/// or, on Linux, no xdg-open.
 bool open_on_desktop(const std::filesystem::path& file);
 /// Starts a program with its arguments, such as an editor, likewise. Returns false if there is no display or no such
 /// program.

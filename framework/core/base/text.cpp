@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-constexpr const char* digits = "0123456789";
+constexpr const char* decimal_digits = "0123456789";
 
 /// Returns whether the whole text is a decimal number, such as -2, .5, 3. or 1e-3. A leading plus sign is none of it.
 bool is_decimal(std::string_view text) {
@@ -24,7 +24,7 @@ bool is_decimal(std::string_view text) {
         return found;
     };
     const auto takes_digits = [&] {
-        const size_t count = std::min(text.find_first_not_of(digits), text.size());
+        const size_t count = std::min(text.find_first_not_of(decimal_digits), text.size());
         text.remove_prefix(count);
         return count > 0;
     };
@@ -44,7 +44,8 @@ template <class Value>
 std::optional<Value> parse_with(Value (*convert)(const char* text), std::string_view text) {
     if (!is_decimal(text)) return {};
     const Value value = convert(std::string(text).c_str());
-    const bool is_zero = text.substr(0, text.find_first_of("eE")).find_first_of(digits + 1) == std::string_view::npos;
+    const bool is_zero =
+        text.substr(0, text.find_first_of("eE")).find_first_of(decimal_digits + 1) == std::string_view::npos;
     if (!std::isfinite(value) || (value == 0 && !is_zero)) return {};
     return value;
 }

@@ -34,11 +34,14 @@ namespace {
 }  // namespace
 
 GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) {
+    // On macOS, a hidden window has no icon in the Dock.
+    glfwInitHint(GLFW_COCOA_MENUBAR, visible ? GLFW_TRUE : GLFW_FALSE);
     if (!glfwInit()) fail();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS has no other core profile
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);      // macOS has no other core profile
+    glfwWindowHint(GLFW_COCOA_RETINA_FRAMEBUFFER, GLFW_FALSE);  // the menu takes the mouse's units for pixels
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // labs draw into their own targets
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);

@@ -74,10 +74,10 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"checks", std::move(checks)}});
     }
     const std::string number = lab.two_digits(), reached = check::points_text(std::round(points * 100) / 100);
-    return render({.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
-                   .body = "check",
-                   .styles = {"badge", "checks", "figures", "check"},
-                   .scripts = {"wipe", "checks"}},
+    return render(Page{.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
+                       .body = "check",
+                       .styles = {"badge", "checks", "figures", "check"},
+                       .scripts = {"wipe", "checks"}},
                   {{"number", number},
                    {"title", manifest.title},
                    {"points", reached},

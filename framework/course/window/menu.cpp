@@ -453,11 +453,12 @@ private:
 
     void edit(const Place& place) {
         const std::filesystem::path file = place.file.is_absolute() ? place.file : course_root() / place.file;
-        const std::vector<std::string> command = editor_command(chosen_editor(), file, place.line);
+        const std::string editor = chosen_editor();
+        const std::vector<std::string> command = editor_command(editor, file, place.line);
         const std::string where = shown(place.file) + (place.line > 0 ? fmt::format(":{}", place.line) : "");
-        message_ = start_on_desktop(command)
-                       ? fmt::format("opening {}", where)
-                       : fmt::format("cannot start {}: open {} yourself, or set VISUAL", command.front(), where);
+        const bool is_started = editor.empty() ? open_on_desktop(file) : start_on_desktop(command);
+        message_ = is_started ? fmt::format("opening {}", where)
+                              : fmt::format("cannot start {}: open {} yourself, or set VISUAL", command.front(), where);
         print_event(message_);
     }
 

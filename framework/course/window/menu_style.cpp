@@ -1,5 +1,6 @@
 #include "framework/course/window/menu_style.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -12,13 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a font's file, in a package's folder beside the program or where Debian, Fedora, openSUSE or Arch install
-/// it. Returns an empty path if there is none.
+/// Returns a font's file, in a package's folder beside the program or where Debian, Fedora, openSUSE, Arch or Homebrew
+/// install it. Returns an empty path if there is none.
 fs::path font_file(const char* name) {
     const fs::path system = "/usr/share/fonts";
+    const char* const home = std::getenv("HOME");
     for (const fs::path& folder :
-         {framework_folder() / "fonts", system / "truetype/dejavu", system / "dejavu-sans-fonts",
-          system / "dejavu-sans-mono-fonts", system / "dejavu-serif-fonts", system / "truetype", system / "TTF"})
+         {framework_folder() / "fonts", fs::path(home ? home : "") / "Library/Fonts", system / "truetype/dejavu",
+          system / "dejavu-sans-fonts", system / "dejavu-sans-mono-fonts", system / "dejavu-serif-fonts",
+          system / "truetype", system / "TTF"})
         if (std::error_code ignored; fs::exists(folder / name, ignored)) return folder / name;
     return {};
 }

@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folders and files of a course. Anything else in its folder, such as marks, must not be handed out.
-constexpr const char* course_parts[] = {"CMakeLists.txt", "CMakePresets.json", "LICENSE",       "relief",
-                                        ".gitignore",     ".clang-format",     ".editorconfig", "framework",
-                                        "labs",           "shaders",           "assets"};
+constexpr const char* course_parts[] = {
+    "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "relief", ".gitignore", ".gitattributes",
+    ".clang-format",  ".editorconfig",     "framework", "labs",   "shaders",    "assets"};
 constexpr const char* staff = "staff";
 
 bool is_text(const fs::path& path) {

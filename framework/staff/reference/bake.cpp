@@ -144,7 +144,7 @@ std::optional<BakeHit> nearest_hit(const TriangleTree& fine_tree, const Mesh& fi
 
 BakedMap bake(const Mesh& fine, const Mesh& coarse, const BakeOptions& options) {
     check_uv(coarse);
-    const auto [width, height] = std::pair(options.size.x, options.size.y);
+    const int width = options.size.x, height = options.size.y;
     const int channels = options.store == BakeStore::heights ? 1 : 3;
     const TriangleTree tree = build_tree(fine);
     BakedMap map{.values = Image(width, height, channels)};

@@ -28,13 +28,21 @@ TEST(Numbers, MustBeFiniteWithoutTrailingText) {
         EXPECT_EQ(parse_number(text), std::nullopt) << "'" << text << "'";
 }
 
-/// Returns the number as std::from_chars reads it, which GCC's library has for these types.
+/// Whether the standard library reads this type, as GCC's does.
+template <class Value>
+constexpr bool library_reads = requires(Value value) {
+    std::from_chars("", "", value);
+};
+
+/// Returns the number as std::from_chars reads it.
 template <class Value>
 std::optional<Value> from_chars(std::string_view text) {
-    Value value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
+    if constexpr (library_reads<Value>) {
+        Value value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc{} && end == text.data() + text.size() && std::isfinite(value)) return value;
+    }
+    return {};
 }
 
 /// Compares bits, because -0 equals 0.
@@ -60,6 +68,7 @@ std::vector<Value> of_every_size(int count) {
 }
 
 TEST(Numbers, AreParsedToTheSameBitsAsByTheStandardLibrary) {
+    if (!library_reads<double>) GTEST_SKIP() << "this standard library has no function to compare with";
     for (const double value : of_every_size<double, uint64_t>(20'000))
         for (const int digits : {1, 3, 9, 15, 17, 40}) {
             const std::string text = fmt::format("{:.{}e}", value, digits - 1);
@@ -68,6 +77,7 @@ TEST(Numbers, AreParsedToTheSameBitsAsByTheStandardLibrary) {
 }
 
 TEST(Numbers, AreAcceptedAndRejectedAsByTheStandardLibrary) {
+    if (!library_reads<double>) GTEST_SKIP() << "this standard library has no function to compare with";
     std::vector<std::string> texts = {"1e-400",
                                       "-1e-400",
                                       "0e-999",
@@ -108,6 +118,7 @@ TEST(Numbers, AreAcceptedAndRejectedAsByTheStandardLibrary) {
 }
 
 TEST(Numbers, HaveTheFewestDigitsThatAreNearEnough) {
+    if (!library_reads<float>) GTEST_SKIP() << "this standard library has no function to compare with";
     EXPECT_EQ(shortest_near(0.3333f, 0.01), "0.33");
     EXPECT_EQ(shortest_near(0.1f, 0), "0.1");
     EXPECT_EQ(shortest_near(16777216, 0), "16777216");

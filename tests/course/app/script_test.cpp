@@ -15,7 +15,8 @@ namespace {
 class Script : public testing::Test {
 protected:
     TemporaryFolder folder_;
-    std::string usr_ = "/usr/bin:/bin";  ///< the folders of the tools that are no stand-ins
+    std::string usr_ = "/usr/bin:/bin";          ///< the folders of the tools that are no stand-ins
+    std::map<std::string, std::string> system_;  ///< the variables by which the script knows another system
 
     void SetUp() override {
         namespace fs = std::filesystem;
@@ -23,7 +24,7 @@ protected:
         fs::create_directories(folder_.path() / "framework/cmake");
         fs::create_directories(folder_.path() / "tests");
         fs::copy(source / "relief", folder_.path());
-        for (const char* system : {"", "_fedora", "_arch", "_opensuse"})
+        for (const char* system : {"", "_fedora", "_arch", "_opensuse", "_brew", "_msys2"})
             fs::copy(source / ("framework/cmake/packages" + std::string(system) + ".txt"),
                      folder_.path() / "framework/cmake");
         stand_in("cmake",
@@ -54,7 +55,9 @@ protected:
     }
     Result script(std::vector<std::string> arguments = {}) const {
         arguments.insert(arguments.begin(), {"bash", folder_.path() / "relief"});
-        return run(arguments, {"/", {{"PATH", (folder_.path() / "tools").string() + ":" + usr_}, {"CI", ""}}});
+        std::map<std::string, std::string> environment = system_;
+        environment.insert({{"PATH", (folder_.path() / "tools").string() + ":" + usr_}, {"CI", ""}});
+        return run(arguments, {"/", environment});
     }
     std::string calls() const {
         const std::string text = read_all(folder_.path() / "calls");
@@ -448,27 +451,71 @@ TEST_F(OtherSystem, WithAnUnknownPackageManagerPrintsDebiansNamesAndBuilds) {
     const Result result = script({"list"});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(
-        result.err.starts_with("relief: there is no apt-get, dnf, pacman or zypper here: install what Debian "
-                               "calls g++ cmake ninja-build "))
+        result.err.starts_with("relief: there is no apt-get, brew, dnf, pacman or zypper here: install what "
+                               "Debian calls g++ cmake ninja-build "))
         << result.err;
     EXPECT_EQ(result.out, "ran: list\n");
     EXPECT_EQ(script({"list"}).err, "") << "only once";
 }
 
+// Neither Homebrew nor MSYS2 needs root. Neither system has a variable DISPLAY.
+TEST_F(OtherSystem, OnMacOsInstallsHomebrewsPackagesAsTheUserAndOpensTheMenu) {
+    system_ = {{"OSTYPE", "darwin23"}};
+    stand_in("id", "echo 501");
+    stand_in("brew", "[[ $1 != list ]] || awk '!/^#/ { print $2 }' framework/cmake/packages_brew.txt | grep -vx glm");
+    Result result = script();
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "ran: \n");
+    EXPECT_TRUE(result.err.starts_with("relief: installing 1 package: glm\n")) << result.err;
+    EXPECT_TRUE(contains(calls(), "brew install glm\n"));
+    std::filesystem::remove(folder_.path() / "tools/brew");
+    std::filesystem::remove_all(folder_.path() / "build");
+    result = script({"list"});
+    EXPECT_TRUE(contains(result.err, "there is no apt-get, brew, dnf")) << result.err;
+}
+
+TEST_F(OtherSystem, InMsys2InstallsItsPackagesAsTheUserAndOpensTheMenu) {
+    system_ = {{"OSTYPE", "msys"}, {"MSYSTEM", "UCRT64"}};
+    stand_in("id", "echo 197609");
+    stand_in("cygpath", "echo \"$2\"");
+    manager("pacman", "mingw-w64-ucrt-x86_64-glm");
+    const Result result = script();
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "ran: \n");
+    EXPECT_TRUE(contains(calls(), "pacman -S --needed --noconfirm mingw-w64-ucrt-x86_64-glm\n"));
+    system_["MSYSTEM"] = "MINGW64";
+    EXPECT_EQ(script().err, "relief: this needs MSYS2's terminal UCRT64: here is MINGW64\n");
+}
+
+TEST_F(OtherSystem, TheStaffsCommandsAndTheTestsNeedLinux) {
+    system_ = {{"OSTYPE", "darwin23"}};
+    std::filesystem::create_directories(folder_.path() / "framework/staff");
+    EXPECT_EQ(script({"grade", "x"}).err, "relief: 'grade' is a command for staff only: it needs Linux\n");
+    EXPECT_EQ(script({"test"}).err, "relief: the tests need Linux: ./relief check LAB looks at your work\n");
+    stand_in("brew", "");
+    EXPECT_EQ(script({"build"}).code, 0);
+    EXPECT_TRUE(contains(calls(), " course\n"));
+}
+
 TEST_F(OtherSystem, EachListHasOnePurposeAndOnePackageALineForAllThatAUserNeeds) {
-    for (const char* system : {"fedora", "arch", "opensuse"}) {
-        std::istringstream lines(
-            read_all(folder_.path() / "framework/cmake" / ("packages_" + std::string(system) + ".txt")));
+    const std::map<std::string, std::set<std::string>> purposes_of = {
+        {"fedora", {"build", "pictures", "slides", "staff", "test"}},
+        {"arch", {"build", "pictures", "slides", "staff", "test"}},
+        {"opensuse", {"build", "pictures", "slides", "staff", "test"}},
+        {"brew", {"build", "pictures"}},
+        {"msys2", {"build"}}};
+    for (const auto& [system, all] : purposes_of) {
+        std::istringstream lines(read_all(folder_.path() / "framework/cmake" / ("packages_" + system + ".txt")));
         std::set<std::string> purposes, packages;
         for (std::string line; std::getline(lines, line);) {
             if (line.starts_with("#")) continue;
             std::smatch parts;
-            ASSERT_TRUE(std::regex_match(line, parts, std::regex("([a-z]+) ([A-Za-z0-9_+-]+)")))
+            ASSERT_TRUE(std::regex_match(line, parts, std::regex("([a-z]+) ([A-Za-z0-9_+@.-]+)")))
                 << system << ": " << line;
             purposes.insert(parts[1]);
             EXPECT_TRUE(packages.insert(parts[2]).second) << system << ": " << line;
         }
-        EXPECT_EQ(purposes, (std::set<std::string>{"build", "pictures", "slides", "staff", "test"})) << system;
+        EXPECT_EQ(purposes, all) << system;
     }
 }
 

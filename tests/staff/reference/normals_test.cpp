@@ -27,7 +27,7 @@ void expect_slopes(const Image& normals, int x, int y, double du, double dv, dou
             << "channel " << c << " of texel " << x << ", " << y << " with slopes " << du << ", " << dv;
 }
 
-constexpr NormalOptions both_filters[] = {{.filter = SlopeFilter::central}, {.filter = SlopeFilter::sobel}};
+const NormalOptions both_filters[] = {{.filter = SlopeFilter::central}, {.filter = SlopeFilter::sobel}};
 
 TEST(Normals, OfAFlatMapPointStraightUp) {
     for (const NormalOptions& options : both_filters) {
