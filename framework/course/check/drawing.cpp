@@ -25,10 +25,10 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t longest_error = 4000;
-constexpr size_t longest_request = size_t{4} << 20;
+constexpr size_t longest_request = (size_t{4} << 20) + longest_compiled;
 constexpr size_t longest_notes = size_t{1} << 20;
 
-enum class Kind : uint32_t { ask, ready, image, error, done, notes };
+enum class Kind : uint32_t { ask, ready, image, error, done, notes, compiled };
 
 /// Precedes each message. Both ends are on one machine, so byte order and padding agree.
 struct Header {
@@ -212,6 +212,8 @@ bool is_expected(const Header& header, const DrawnShots& drawn, const std::vecto
             return is_next && header.size <= longest_error;
         case Kind::done:
             return is_ready && header.size == sizeof(double);
+        case Kind::compiled:
+            return is_ready && next == shots.size() && drawn.compiled.empty() && header.size <= longest_compiled;
         case Kind::notes:
             return false;
     }
@@ -220,14 +222,17 @@ bool is_expected(const Header& header, const DrawnShots& drawn, const std::vecto
 
 }  // namespace
 
-std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer) {
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer,
+                            const ShaderReuse& reuse) {
     json request = {{"lab", lab.folder},
                     {"context", renderer.context ? name_of(*renderer.context) : "auto"},
                     {"threads", renderer.threads},
                     {"pinned", renderer.pinned},
+                    {"returns_compiled", reuse.returns},
                     {"shots", json::array()}};
     for (const Shot& shot : shots) request["shots"].push_back(as_json(shot));
-    return request.dump();
+    const std::string text = request.dump();  // has no character 0, so it begins after the last one
+    return reuse.known.empty() ? text : packed(reuse.known) + '\0' + text;
 }
 
 std::string noting_request(const LabEntry& lab, const std::set<std::string>& files, const std::vector<NotedShot>& shots,
@@ -254,15 +259,19 @@ void draw_request(const char* course) {
     std::set_new_handler([] { std::_Exit(out_of_memory_code); });
     const CourseElsewhere elsewhere(course);
     stream.send(Kind::ask, 0, {});
-    const json request = json::parse(read_request());
+    const std::string text = read_request();
+    const size_t begin = text.rfind('\0') + 1;  // 0 if there are no compiled shaders
+    const json request = json::parse(text.begin() + std::ptrdiff_t(begin), text.end());
     const LabEntry& lab = find_lab(request.at("lab").get<std::string>());
     std::vector<Shot> shots;
     for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
     if (request.at("pinned")) pin_software_renderer();
     os::set_environment("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()));
-    // Submissions must not share a shader cache: one could read the other's entries. A caller that sets the variable
-    // provides a separate folder.
-    if (!std::getenv("MESA_SHADER_CACHE_DIR")) os::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
+    const char* const cache = std::getenv("MESA_SHADER_CACHE_DIR");
+    if (!cache)
+        os::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
+    else if (begin > 0)
+        write_compiled(cache, unpacked(std::string_view(text).substr(0, begin - 1)));
     const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
     const json notes = request.value("notes", json());
@@ -280,6 +289,8 @@ void draw_request(const char* course) {
             stream.send(Kind::error, i, error.substr(0, longest_error));
         }
     }
+    if (cache && request.at("returns_compiled"))
+        stream.send(Kind::compiled, shots.size(), packed(read_compiled(cache)));
     stream.send(Kind::done, shots.size(), processor_time());
     std::_Exit(0);  // skips the tear-down of the driver, which takes time
 }
@@ -314,6 +325,9 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
                 if (next == shots.size()) drawn.phase = DrawingPhase::done;
                 std::memcpy(&drawn.cpu, stream.data() + at, sizeof drawn.cpu);
                 break;
+            case Kind::compiled:
+                drawn.compiled = unpacked(std::string_view(stream).substr(at, header.size));
+                break;
             case Kind::notes:
                 break;
         }
@@ -323,7 +337,7 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
 }
 
 size_t drawings_size(const std::vector<Shot>& shots) {
-    size_t size = 3 * sizeof(Header) + sizeof(double);
+    size_t size = 4 * sizeof(Header) + sizeof(double) + longest_compiled;
     for (const Shot& shot : shots) size += sizeof(Header) + std::max(pixel_bytes(shot), longest_error);
     return size;
 }

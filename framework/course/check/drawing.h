@@ -9,6 +9,7 @@
 
 #include "framework/core/context/context.h"
 #include "framework/core/lab/shot.h"
+#include "framework/course/check/compiled_shaders.h"
 #include "framework/course/check/explain.h"
 
 namespace relief {
@@ -27,8 +28,16 @@ struct Renderer {
 /// The exit code of a program that ran out of memory.
 constexpr int out_of_memory_code = 97;
 
+/// Compiled shaders that a process gets, and whether it returns them with its own ones. Only for a process with a cache
+/// of its own, see draw_request().
+struct ShaderReuse {
+    CompiledShaders known = {};
+    bool returns = false;
+};
+
 /// Returns the request that is sent to the drawing process.
-std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer,
+                            const ShaderReuse& reuse = {});
 
 /// A shot of which calls are wanted at some pixels, see lone_calls().
 struct NotedShot {
@@ -44,8 +53,11 @@ std::string drawing_asks();
 
 /// Runs the drawing process. Writes "ask" to standard output, then reads its request from `request_descriptor`. So the
 /// static objects of a task are constructed before there is a request to read. Then writes "ready" once it has a
-/// context, the pixels or the error of each shot, and "done" with its processor time. `course` is the folder of the
-/// course to draw. Does not return.
+/// context, the pixels or the error of each shot, the compiled shaders if they are wanted, and "done" with its
+/// processor time. `course` is the folder of the course to draw. Does not return.
+///
+/// If MESA_SHADER_CACHE_DIR is set, it names a folder for this process alone. Otherwise no shader is cached, because a
+/// submission could read the entries of another.
 [[noreturn]] void draw_request(const char* course);
 
 /// The result of one shot.
@@ -60,6 +72,7 @@ enum class DrawingPhase { started, asked, ready, done };
 
 struct DrawnShots {
     std::vector<Drawn> shots;  ///< the complete ones, from the first on
+    CompiledShaders compiled;  ///< if they were wanted; not trusted
     DrawingPhase phase = DrawingPhase::started;
     double cpu = 0;       ///< seconds of processor time, as a process in phase `done` reports them; not trusted
     std::string problem;  ///< why the rest of the stream cannot be read, or empty

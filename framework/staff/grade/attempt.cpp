@@ -58,6 +58,7 @@ ProcessJob drawing_job(const Stage& stage, const StagedCourse& course, std::stri
     job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
     job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
     // Later shots of this process reuse compiled shaders. The cache lies in the sandbox's own memory and ends with it.
+    // Entries from outside come with the request: there is no folder that two submissions can see.
     if (stage.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
     job.request = std::move(request);
     job.asks = check::drawing_asks();
@@ -75,13 +76,16 @@ Confinement drawing_confinement(const Stage& stage, const StagedCourse& course) 
 class StagedDrawing {
 public:
     StagedDrawing(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
-                  const check::Renderer& renderer, const AttemptLimits& limits, Attempt& attempt)
+                  const check::Renderer& renderer, const AttemptLimits& limits, const check::CompiledShaders& known,
+                  bool keeps_compiled, Attempt& attempt)
         : stage_(stage),
           lab_(lab),
           course_(course),
           shots_(shots),
           renderer_(renderer),
           limits_(limits),
+          known_(known),
+          keeps_compiled_(keeps_compiled),
           attempt_(attempt),
           wall_left_(2 * limits.wall()),
           cpu_left_(2 * limits.cpu) {}
@@ -97,11 +101,12 @@ public:
             if (wall_left_ <= 0 || cpu_left_ <= 0)
                 return fail(from, end, {check::Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
-            const ProcessResult result = run_sandboxed(job(rest), drawing_confinement(stage_, course_));
+            const ProcessResult result = run_sandboxed(job(rest, end), drawing_confinement(stage_, course_));
             wall_left_ -= result.wall;
             attempt_.draw += result.wall;
             check::DrawnShots drawn = check::read_drawings(result.output, rest);
             attempt_.cpu += drawn.cpu;
+            if (!drawn.compiled.empty()) attempt_.compiled = std::move(drawn.compiled);
             // A dead process cannot report its processor time; both values are upper bounds of it.
             cpu_left_ -= std::min(result.wall, limits_.cpu);
             for (check::Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
@@ -127,8 +132,11 @@ public:
     }
 
 private:
-    ProcessJob job(const std::vector<Shot>& shots) const {
-        ProcessJob job = drawing_job(stage_, course_, check::drawing_request(lab_, shots, renderer_), limits_);
+    /// Returns the job for `shots`, which end at index `end`.
+    ProcessJob job(const std::vector<Shot>& shots, size_t end) const {
+        const check::ShaderReuse reuse{.known = attempt_.compiled.empty() ? known_ : attempt_.compiled,
+                                       .returns = keeps_compiled_ || end < shots_.size()};
+        ProcessJob job = drawing_job(stage_, course_, check::drawing_request(lab_, shots, renderer_, reuse), limits_);
         job.limits.wall = std::min(wall_left_, limits_.wall());
         job.limits.cpu = std::ceil(std::min(cpu_left_, limits_.cpu));
         job.limits.output = check::drawings_size(shots);
@@ -156,6 +164,8 @@ private:
     const std::vector<Shot>& shots_;
     const check::Renderer& renderer_;
     const AttemptLimits& limits_;
+    const check::CompiledShaders& known_;
+    bool keeps_compiled_;
     Attempt& attempt_;
     double wall_left_, cpu_left_;            ///< seconds
     std::optional<check::Judgement> ended_;  ///< why no more shots are drawn
@@ -175,7 +185,8 @@ check::Judgement blame(const Compiled& compiled) {
 }  // namespace
 
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart) {
+                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart,
+                const check::CompiledShaders& known, bool keeps_compiled) {
     Attempt result;
     result.shots.resize(shots.size());
     StagedCourse course = stage.course(lab, files);
@@ -190,7 +201,7 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
         result.log = printable_lines(compiled.message, longest_log);
         return result;
     }
-    StagedDrawing drawing(stage, lab, course, shots, renderer, limits, result);
+    StagedDrawing drawing(stage, lab, course, shots, renderer, limits, known, keeps_compiled, result);
     // A shader cannot reveal which shots were requested; a student's program can.
     const size_t first = drawing.has_own_program() ? std::min(apart, shots.size()) : shots.size();
     drawing.draw(0, first);
@@ -198,6 +209,7 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     const std::string log = result.log;
     drawing.draw(first, shots.size());
     result.log = log;
+    if (!keeps_compiled) result.compiled.clear();
     return result;
 }
 

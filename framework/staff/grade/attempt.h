@@ -25,6 +25,9 @@ struct Attempt {
     double compile = 0, draw = 0;     ///< seconds
     double cpu = 0;                   ///< seconds of processor time for drawing, as reported: see DrawnShots
     std::string log;                  ///< the compiler's messages, or empty
+    /// The compiled shaders of the last process, with those that it got; only if `keeps_compiled`. They are as
+    /// trustworthy as the files.
+    check::CompiledShaders compiled;
 };
 
 struct AttemptLimits {
@@ -40,8 +43,13 @@ struct AttemptLimits {
 /// another process draws the remaining shots. If the process ran out of time, the remaining shots are out of time, too.
 /// A C++ task could reveal the shots that it was asked to draw. So a separate process draws the shots from index
 /// `apart` on, and its log is not kept. Failures of the files become outcomes, not exceptions.
+///
+/// A process that dies loses its compiled shaders. The next one starts with those that the last complete process of
+/// this attempt returned, or else with `known`. Both processes of a C++ task run the same files, so one can tell the
+/// other nothing that it does not know.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
+                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1),
+                const check::CompiledShaders& known = {}, bool keeps_compiled = false);
 
 /// Returns the calls of the functions in `files` at some pixels of `shots`, see check::lone_calls(). They run in the
 /// sandbox like attempt(), in one process. A shot that is not finished within the limits has no pixels.

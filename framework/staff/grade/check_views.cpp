@@ -49,7 +49,8 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
     if (derives_limit_) setup_.seconds = AttemptLimits{}.cpu;
     for (const CheckInfo& check : manifest_.checks) views_.push_back({.own = {check.shot}});
     const CourseFiles files = solution_files(manifest_);
-    solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own);
+    solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own, true);
+    compiled_ = std::move(solution_.compiled);
     for (size_t i = 0; i < count; ++i) {
         const CheckInfo& check = manifest_.checks[i];
         views_[i].own.expected = expected_in(lab, check, check.shot, solution_.checks[i].own);
@@ -73,6 +74,26 @@ void LabViews::bound_by(double solution_cpu) {
             lab_.two_digits(), solution_cpu_, solution_cpu));
 }
 
+// An entry's name is a hash of the shaders' texts. So an entry that two texts of the task files lead to comes from
+// neither: it holds no answer. All entries come from the course's own files, and each process gets them as a copy in
+// its own memory. So nothing goes from one submission to another.
+//
+// The second text is the solution with a comment. This leaves most entries: the starter ignores its inputs, so that the
+// stages before it compile to something else. But a C++ task could read the entries, so there they must agree with the
+// starter's, and hold no answer even if a driver's names ignored comments.
+void LabViews::reuse_shaders() {
+    if (stage_.isolation() == Isolation::limits) return;  // without a /tmp of its own there is no cache
+    CourseFiles files;
+    bool has_cpp = false;
+    for (const auto& [file, text] : solution_files(manifest_)) {
+        has_cpp |= !is_shader(file);
+        files[file] = is_shader(file) ? text + "\n//\n" : text;
+    }
+    if (has_cpp) std::erase_if(files, [](const auto& file) { return is_shader(file.first); });
+    shared_ = draw(files, std::vector<bool>(views_.size(), true), WhichViews::both, true).compiled;
+    std::erase_if(shared_, [&](const auto& entry) { return !compiled_.contains(entry.first); });
+}
+
 size_t LabViews::hidden_count() const { return count_hidden(views_); }
 
 /// Chooses the hidden views that the solution passes. Returns the solution's processor time there, in seconds.
@@ -84,7 +105,8 @@ double LabViews::find_hidden_views(const CourseFiles& solution) {
         const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
         for (CheckViews& views : views_)
             if (!views.own.shot.calls) views.hidden = View{variation.vary(views.own.shot)};
-        const DrawnChecks drawn = draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden);
+        DrawnChecks drawn = draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden, true);
+        compiled_.merge(drawn.compiled);
         keep_passing_views(drawn);
         if (count_hidden(views_) <= count_hidden(best)) continue;
         std::swap(views_, best);
@@ -135,6 +157,11 @@ std::vector<bool> LabViews::with_compared(std::vector<bool> checks) const {
 }
 
 DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const {
+    return draw(files, checks, which, false);
+}
+
+DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
+                           bool keeps_compiled) const {
     DrawnChecks result;
     result.checks.resize(views_.size());
     std::vector<Shot> shots;
@@ -165,12 +192,14 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
     const double seconds = derives_limit_ && solution_cpu_ > 0
                                ? std::max(least_limit, setup_.seconds * std::min(1.0, cpu / solution_cpu_))
                                : setup_.seconds;
-    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {seconds, setup_.memory}, public_count);
+    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {seconds, setup_.memory}, public_count,
+                            shared_, keeps_compiled);
     for (size_t i = 0; i < places.size(); ++i) *places[i] = std::move(drawn.shots[i]);
     result.compile = drawn.compile;
     result.draw = drawn.draw;
     result.cpu = drawn.cpu;
     result.log = std::move(drawn.log);
+    result.compiled = std::move(drawn.compiled);
     return result;
 }
 

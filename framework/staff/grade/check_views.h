@@ -42,10 +42,11 @@ struct DrawnViews {
 };
 
 struct DrawnChecks {
-    std::vector<DrawnViews> checks = {};  ///< in the manifest's order
-    double compile = 0, draw = 0;         ///< seconds
-    double cpu = 0;                       ///< seconds of processor time for drawing, see Attempt
-    std::string log = {};                 ///< the compiler's messages, or empty
+    std::vector<DrawnViews> checks = {};   ///< in the manifest's order
+    double compile = 0, draw = 0;          ///< seconds
+    double cpu = 0;                        ///< seconds of processor time for drawing, see Attempt
+    std::string log = {};                  ///< the compiler's messages, or empty
+    check::CompiledShaders compiled = {};  ///< see Attempt
 };
 
 /// The two sides of a check's comparison in one view. `other_shot` and `other` belong to the check named by
@@ -78,6 +79,10 @@ public:
     /// Derives the limit from `solution_cpu` seconds, such as another machine's measurement. Does nothing if the setup
     /// has a limit. Throws Error if this machine is so slow that the solution exceeds the derived limit.
     void bound_by(double solution_cpu);
+    /// Finds the compiled shaders that do not depend on the task files, once for all later calls of draw(). Draws all
+    /// views once more, so it pays from a few submissions on. The pictures have the same bits.
+    void reuse_shaders();
+    const check::CompiledShaders& reused_shaders() const { return shared_; }
     /// Moves out the solution's pictures in the checks' own views. Call it at most once.
     DrawnChecks take_solution() { return std::move(solution_); }
 
@@ -93,6 +98,8 @@ public:
     std::string slowness(size_t check, const DrawnChecks& drawn) const;
 
 private:
+    DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
+                     bool keeps_compiled) const;
     size_t compared_with(size_t check) const;
     std::vector<bool> with_compared(std::vector<bool> checks) const;
     double find_hidden_views(const CourseFiles& solution);
@@ -104,6 +111,8 @@ private:
     Manifest manifest_;
     std::vector<CheckViews> views_;  ///< in the manifest's order
     DrawnChecks solution_;
+    check::CompiledShaders compiled_;  ///< the solution's
+    check::CompiledShaders shared_;    ///< see reuse_shaders()
     double solution_cpu_ = 0;
     bool derives_limit_;
 };

@@ -260,17 +260,20 @@ private:
     }
 
     void prepare() {
+        constexpr int many = 5;  // reuse_shaders() takes as long as a submission, and saves about a quarter of each
         std::vector<const LabEntry*> needed;
+        std::map<std::string, int> submissions;  // by lab's folder
         for (const Entry& entry : entries_)
             for (const LabEntry* lab : entry.labs)
-                if (!entry.done && !entry.kept.contains(lab->folder) &&
-                    std::find(needed.begin(), needed.end(), lab) == needed.end())
+                if (!entry.done && !entry.kept.contains(lab->folder) && submissions[lab->folder]++ == 0)
                     needed.push_back(lab);
         Progress progress(int(needed.size()));
         for (const LabEntry* lab : needed) {
             progress.next("the solution of lab " + lab->two_digits());
             stage_->add(*lab);
-            graders_.emplace(lab->folder, std::make_unique<LabGrader>(*lab, *stage_, setup_));
+            const auto& [folder, grader] =
+                *graders_.emplace(lab->folder, std::make_unique<LabGrader>(*lab, *stage_, setup_)).first;
+            if (submissions.at(folder) >= many) grader->reuse_shaders();
         }
     }
 

@@ -78,6 +78,7 @@ public:
     /// See LabViews.
     double solution_cpu() const { return views_.solution_cpu(); }
     void bound_by(double solution_cpu) { views_.bound_by(solution_cpu); }
+    void reuse_shaders() { views_.reuse_shaders(); }
     /// Returns the number of checks that have a hidden view.
     size_t hidden_views() const { return views_.hidden_count(); }
 

@@ -186,7 +186,8 @@ private:
 SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, SelfTestOptions options) {
     Stage stage(setup.isolation);
     stage.add(lab);
-    const LabGrader grader(lab, stage, setup);
+    LabGrader grader(lab, stage, setup);
+    grader.reuse_shaders();
     return Test(lab, grader, options).run();
 }
 

@@ -128,6 +128,7 @@ struct Graded {
     Graded(const LabEntry& lab, const grade::GradeSetup& setup, int count) : stage(setup.isolation) {
         stage.add(lab);
         grader = std::make_unique<grade::LabGrader>(lab, stage, setup);
+        grader->reuse_shaders();
         submissions.resize(size_t(count));
         for (size_t i = 0; i < submissions.size(); ++i)
             for (const std::string& file : grade::task_files(grader->manifest()))

@@ -17,6 +17,7 @@
 #include "framework/core/lab/registry.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/grade/attempt.h"
+#include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/sandbox.h"
 #include "framework/staff/grade/stage.h"
 #include "framework/staff/grade/submission.h"
@@ -287,7 +288,7 @@ static const int before = [] {
         // A program that asks before main() gets its request. The student must not see the request of a hidden view.
         {"asks-early", cpp_that("", R"(
 static const int before = [] {
-    static char text[1 << 16];
+    static char text[1 << 20];
     if (write(1, "1RLF\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 20) < 0) _exit(2);
     ssize_t size = 0;
     for (ssize_t got = 0; (got = read(97, text + size, sizeof text - 1 - size)) > 0;) size += got;
@@ -375,6 +376,66 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
     const Attempt stalled = attempt(stage, lab, files, shots, {}, {.cpu = 2}, 1);
     for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, check::Outcome::out_of_time) << shot.error;
     EXPECT_EQ(stalled.shots[1].error, "not drawn, since a check before it is out of time: " + stalled.shots[0].error);
+}
+
+/// Draws all own views of a lab, and keeps the compiled shaders. Draws twice, and each view twice in turn, because Mesa
+/// writes its cache in the background, and may not have written the last ones.
+Attempt draw_own(const Stage& stage, const LabEntry& lab, const CourseFiles& files,
+                 const check::CompiledShaders& known = {}) {
+    std::vector<Shot> shots;
+    for (int round = 0; round < 2; ++round)
+        for (const CheckInfo& check : load_manifest(lab).checks) shots.push_back(check.shot);
+    Attempt drawn = attempt(stage, lab, files, shots, {}, {}, size_t(-1), known, true);
+    drawn.compiled.merge(attempt(stage, lab, files, shots, {}, {}, size_t(-1), known, true).compiled);
+    return drawn;
+}
+
+/// Returns how many names two sets of compiled shaders share.
+size_t common_names(const check::CompiledShaders& one, const check::CompiledShaders& other) {
+    return size_t(
+        std::count_if(one.begin(), one.end(), [&](const auto& entry) { return other.contains(entry.first); }));
+}
+
+// Otherwise a class takes longer, or a submission could read the code of another.
+TEST(Grade, ASubmissionCompilesNoShaderAgainThatIsEverybodysAndSeesNoneOfAnothers) {
+    if (!has_namespaces()) GTEST_SKIP() << "without namespaces no shader is cached";
+    const LabEntry& lab = find_lab("05");  // a program of C++ tasks can be drawn from this process
+    Stage stage(Isolation::namespaces);
+    stage.add(lab);
+    LabViews views(lab, stage, {.isolation = Isolation::namespaces});
+    views.reuse_shaders();
+    const check::CompiledShaders& known = views.reused_shaders();
+    const auto submission = [&](const char* comment) {
+        CourseFiles files = solution_files(load_manifest(lab));
+        for (auto& [file, text] : files) text += comment;
+        return files;
+    };
+    const Attempt alone = draw_own(stage, lab, submission("// two\n")),
+                  first = draw_own(stage, lab, submission("// one\n"), known),
+                  second = draw_own(stage, lab, submission("// two\n"), known);
+    EXPECT_GE(known.size(), 10u);
+    EXPECT_EQ(common_names(known, alone.compiled), known.size()) << "it would have compiled them";
+    EXPECT_LT(common_names(first.compiled, alone.compiled), first.compiled.size()) << "the first has text of its own";
+    EXPECT_EQ(common_names(second.compiled, alone.compiled), second.compiled.size()) << "it has another's shaders";
+    for (size_t i = 0; i < alone.shots.size(); ++i) {
+        ASSERT_TRUE(alone.shots[i].image && second.shots[i].image) << alone.shots[i].error << second.shots[i].error;
+        EXPECT_EQ(alone.shots[i].image->values, second.shots[i].image->values) << i;
+    }
+}
+
+// A C++ task could read them.
+TEST(Grade, ACppTaskGetsOnlyShadersThatTheStarterCompilesToo) {
+    if (!has_namespaces()) GTEST_SKIP() << "without namespaces no shader is cached";
+    const LabEntry& lab = find_lab("05");
+    Stage stage(Isolation::namespaces);
+    stage.add(lab);
+    LabViews views(lab, stage, {.isolation = Isolation::namespaces});
+    views.reuse_shaders();
+    CourseFiles starter = solution_files(load_manifest(lab));
+    std::erase_if(starter, [](const auto& file) { return is_shader(file.first); });
+    EXPECT_FALSE(views.reused_shaders().empty());
+    EXPECT_EQ(common_names(views.reused_shaders(), draw_own(stage, lab, starter).compiled),
+              views.reused_shaders().size());
 }
 
 // Otherwise a submission could compute for longer on a busy machine than on an idle one.
