@@ -24,7 +24,9 @@ std::vector<double> PatchedSphere::sampled_errors(int level, int samples) const 
         for (size_t i = begin; i < end; ++i) {
             std::mt19937 random(unsigned(i + 1000003 * size_t(level)));
             const int across = (1 << level) * quads_, face = int(random() % unsigned(face_count(mapping_)));
-            const glm::dvec2 cell(random() % unsigned(across), random() % unsigned(across));
+            // Not as arguments of a call: compilers evaluate these in different orders.
+            const double y = random() % unsigned(across), x = random() % unsigned(across);
+            const glm::dvec2 cell(x, y);
             const auto ground = [&](glm::dvec2 local) {
                 const glm::dvec3 r = direction_at(mapping_, face, 2.0 * (cell + local) / double(across) - 1.0);
                 return (1 + height_(r)) * r;

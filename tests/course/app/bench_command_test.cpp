@@ -45,6 +45,15 @@ TEST_F(BenchCommand, MeasuresOnlyTheRequestedKnobValues) {
     EXPECT_EQ(lines_of(read_all(course().path() / "part" / "storage.csv")), 1 + 4);
 }
 
+TEST_F(BenchCommand, ALabStandsForItsTopics) {
+    const Result found = course().relief({"bench", "02", "--quick", "--repeats", "1", "-o", "lab", "--set", "bits=16"});
+    EXPECT_EQ(found.code, 0) << found.err;
+    EXPECT_GT(lines_of(read_all(course().path() / "lab" / "storage.csv")), 1);
+    const Result none = course().relief({"bench", "04"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_TRUE(contains(none.err, "no topic is about lab 04 alone")) << none.err;
+}
+
 TEST_F(BenchCommand, ASweepHasASentenceForEachMethodACurveAndNoTime) {
     const Result result =
         course().relief({"bench", "stability", "--quick", "-o", "sweep", "--set", "input=angle-of-two-vectors"});
