@@ -5,8 +5,8 @@
 #
 #   BUILD=build/libcxx     the folder of the build, which the next run continues
 #
-# Needs the Debian packages of the purposes build, staff, test and ci (framework/cmake/packages.txt), and a network for the
-# source of tinyobjloader. Takes about five minutes on two cores.
+# Needs the Debian packages of the purposes build, staff, test and ci (framework/cmake/packages.txt), libc++-dev and
+# libc++abi-dev, and a network for the source of tinyobjloader. Takes about five minutes on two cores.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)

@@ -11,6 +11,12 @@ namespace {
 constexpr int columns = 16, rows = 6;
 constexpr char degree = '~';
 
+std::string with_degree_signs(const std::string& text) {
+    std::string result;
+    for (const char c : text) result += c == degree ? std::string("°") : std::string(1, c);
+    return result;
+}
+
 }  // namespace
 
 void Labels::quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color) {
@@ -35,6 +41,7 @@ std::vector<Labels::Corner>& Labels::corners_of_this_draw() {
 bool Labels::leaves_out(PictureWord word) {
     if (has_words()) return false;
     forget_earlier_draws();
+    word.text = with_degree_signs(word.text), word.end = with_degree_signs(word.end);
     words_.push_back(std::move(word));
     return true;
 }
@@ -97,7 +104,7 @@ void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::str
 }
 
 void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
-    const float line = line_height(size) * 0.7f, length = 0.4f * float(size.x);
+    const float line = usual_line(size) * 0.7f, length = 0.4f * float(size.x);
     const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.1f);
     if (leaves_out({.kind = PictureWord::Kind::scale,
                     .place = place,

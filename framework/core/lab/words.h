@@ -18,7 +18,7 @@ struct PictureWord {
     };
     Kind kind = Kind::text;
     glm::vec2 place{0}, size{0};
-    std::string text = {}, end = {};
+    std::string text = {}, end = {};  ///< UTF-8
     glm::vec4 color{1};
     int line = 0;      ///< of a caption: 0 is the first, -1 the last
     float anchor = 0;  ///< of a text: 0 left, 0.5 middle, 1 right

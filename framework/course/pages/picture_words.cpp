@@ -99,16 +99,7 @@ List lines_of_texts(std::span<const PictureWord> words) {
     return list;
 }
 
-/// Returns a text with the degree sign in place of the sign for it in labels.
-std::string said(const std::string& text) {
-    std::string result;
-    for (const char c : text) result += c == '~' ? std::string("°") : std::string(1, c);
-    return result;
-}
-
-Fields fields_of(std::span<const PictureWord> drawn) {
-    std::vector<PictureWord> words(drawn.begin(), drawn.end());
-    for (PictureWord& word : words) word.text = said(word.text), word.end = said(word.end);
+Fields fields_of(std::span<const PictureWord> words) {
     const auto has_line = [&](const PictureWord& box) {
         return std::any_of(words.begin(), words.end(), [&](const PictureWord& word) {
             return word.kind == PictureWord::Kind::text && !word.text.empty() && is_swatch(box, word);

@@ -43,6 +43,7 @@
 #include "framework/course/window/menu_status.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_wipe.h"
+#include "framework/course/window/menu_words.h"
 
 namespace relief::window {
 namespace {
@@ -284,6 +285,9 @@ private:
             if (drawn && !is_first) status_.note(stage_.milliseconds());
             wipe_.draw(stage_, room, time_, drawn);
             if (is_told_ || wipe_.is_opening()) turns_ = std::max(turns_, 2);
+            const int held = wipe_.framebuffer() ? wipe_.columns(room.x) : 0;
+            if (held > 0) draw_words(wipe_.words(), {picture.at, room}, 0, held);
+            if (stage_.framebuffer()) draw_words(stage_.words(), {picture.at, room}, held, room.x + 1);
             wipe_.draw_border({picture.at, room}, scale_, stage_);
             error_map_.draw({picture.at.x + room.x, picture.at.y}, room);
             pixel_.draw(stage_, error_map_, picture.at, room);

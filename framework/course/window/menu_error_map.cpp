@@ -15,7 +15,7 @@
 
 namespace relief::window {
 
-void draw_heat_scale(const std::vector<std::string>& marks, float width) {
+void draw_heat(ImDrawList& list, ImVec2 low, ImVec2 high) {
     constexpr int steps = 5;  // visualize_error() interpolates linearly between these colours
     Image values(steps + 1, 1, 1);
     for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
@@ -24,13 +24,17 @@ void draw_heat_scale(const std::vector<std::string>& marks, float width) {
         const float* const c = colors.pixel(i, 0);
         return ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], 1});
     };
+    const float width = high.x - low.x;
+    for (int i = 0; i < steps; ++i)
+        list.AddRectFilledMultiColor({low.x + width * float(i) / steps, low.y},
+                                     {low.x + width * float(i + 1) / steps, high.y}, color(i), color(i + 1),
+                                     color(i + 1), color(i));
+}
+
+void draw_heat_scale(const std::vector<std::string>& marks, float width) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight() * 0.6f;
-    for (int i = 0; i < steps; ++i)
-        ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
-            {corner.x + width * float(i) / steps, corner.y},
-            {corner.x + width * float(i + 1) / steps, corner.y + height}, color(i), color(i + 1), color(i + 1),
-            color(i));
+    draw_heat(*ImGui::GetWindowDrawList(), corner, {corner.x + width, corner.y + height});
     ImGui::Dummy({width, height});
     const float left = ImGui::GetCursorPosX();
     const float last = width - ImGui::CalcTextSize(marks.back().c_str()).x;

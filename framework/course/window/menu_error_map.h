@@ -1,6 +1,8 @@
 // The error of a probe, as colours beside the picture. In the window module only.
 #pragma once
 
+#include <imgui.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,8 @@ namespace relief::window {
 
 class Stage;
 
+/// Fills a rectangle with the colours of errors, from the least on the left to the largest on the right.
+void draw_heat(ImDrawList& list, ImVec2 low, ImVec2 high);
 /// Draws the colour scale of errors, `width` pixels wide, with evenly spaced marks: two or more.
 void draw_heat_scale(const std::vector<std::string>& marks, float width);
 

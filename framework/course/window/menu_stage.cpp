@@ -154,7 +154,9 @@ bool Stage::draw(glm::ivec2 size, double time) {
             shown_ = 0;
             target_.emplace(kind, size);
         }
+        const WithoutWords without_words;
         draw_lab(*lab_, frame_of(shot_, *target_));
+        words_ = without_words.words();
         draw_calls_ = counters().draw_calls - draw_calls_before;
         glFinish();
         milliseconds_ = milliseconds_since(begin);
@@ -190,6 +192,7 @@ bool Stage::prepare(glm::ivec2 size, double time) {
             if (compiling > patience) throw Pause();
             last = std::chrono::steady_clock::now();
         });
+        const WithoutWords without_words;
         draw_lab(*lab_, frame_of(shot, small));
         prepared_ = true;
         if (pauses_ == 0 || shot.probe) return true;
@@ -230,7 +233,9 @@ Image Stage::picture() const {
     if (!target_ || failed()) throw Error("there is no picture to save");
     if (shot_.probe)
         return visualize_probe(values_ ? *values_ : target_->read(), manifest_.probe(shot_.probe.name).colors());
-    return read_picture(*target_);
+    const Target target(TargetKind::picture, shot_.size);
+    draw_lab(*lab_, frame_of(shot_, target));
+    return read_picture(target);
 }
 
 }  // namespace relief::window

@@ -10,6 +10,7 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
+#include "framework/core/lab/words.h"
 
 namespace relief::window {
 
@@ -78,11 +79,13 @@ public:
         glm::ivec2 size{0, 0};
     };
     const Backdrop& backdrop() const { return backdrop_; }
+    /// The words of the last good frame, which has none: the window draws them over it. Empty for a probe.
+    const std::vector<PictureWord>& words() const { return words_; }
     const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
     /// The probe's values, if a probe is shown.
     const std::optional<Image>& values() const { return values_; }
-    /// Returns the frame as an 8-bit picture. Throws Error if there is none.
+    /// Returns the frame as an 8-bit picture with its words. Throws Error if there is none.
     Image picture() const;
 
     /// Why there is no picture, or why it is older than its shaders. Null if there is no error.
@@ -116,6 +119,7 @@ private:
     };
     std::optional<ProbePicture> probe_picture_;
     std::optional<Image> values_;
+    std::vector<PictureWord> words_;
     GLuint shown_ = 0;
     Backdrop backdrop_;
     std::optional<Target> backdrop_target_;  ///< owns the backdrop, unless it is a probe

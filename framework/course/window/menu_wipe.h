@@ -31,6 +31,8 @@ public:
     void draw_border(const Box& picture, float scale, const Stage& stage);
 
     GLuint framebuffer() const { return held_ ? held_->framebuffer() : 0; }
+    /// The words of A's picture. Precondition: on().
+    const std::vector<PictureWord>& words() const { return held_->words(); }
     /// Returns how many columns of the picture show A.
     int columns(int width) const { return int(border_ * float(width) + 0.5f); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <string>

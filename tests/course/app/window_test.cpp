@@ -243,6 +243,31 @@ TEST_F(Window, ShowsTheSavedPicture) {
     EXPECT_TRUE(eventually([&] { return shown(saved_picture); }));
 }
 
+TEST_F(Window, ShowsWordsOverThePictureAndSavesThemInIt) {
+    program_ = relief_program();
+    const std::vector<std::string> set = {"--set", "view=compare"};
+    open("06", set);
+    const Image saved_picture = saved("06_tangent_space-1.png");
+    const auto shot = [&](const std::vector<std::string>& more) {
+        const std::string file = folder_.path() / "shot.png";
+        std::vector<std::string> command = {
+            program_,    "shot",   "06",
+            "--context", "window", "-o",
+            file,        "--size", fmt::format("{}x{}", saved_picture.width, saved_picture.height)};
+        command.insert(command.end(), set.begin(), set.end());
+        command.insert(command.end(), more.begin(), more.end());
+        const Result result = run(command, where_);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return read_image(file);
+    };
+    EXPECT_EQ(shot({}).values, saved_picture.values);
+    const Image without = shot({"--words", folder_.path() / "words.html"});
+    const int tile = saved_picture.height / 2;
+    EXPECT_TRUE(eventually([&] { return shown(without, tile / 4, tile * 3 / 4); }));
+    EXPECT_FALSE(shown(without)) << "the words are missing";
+    EXPECT_FALSE(shown(saved_picture)) << "the letters are in the picture";
+}
+
 TEST_F(Window, TurningAKnobChangesThePicture) {
     open("20");
     const Image before = saved("20_test_wall-1.png");

@@ -11,7 +11,7 @@ using Kind = PictureWord::Kind;
 TEST(PictureWords, GroupTheCaptionsOfATileAtItsTopAndBottom) {
     const PictureWord tile{.kind = Kind::caption, .place = {0.5f, 0}, .size = {0.5f, 1}, .text = "64 steps"};
     PictureWord last = tile, before_last = tile;
-    last.text = "8 taps", last.line = -1, before_last.text = "off 2~", before_last.line = -2;
+    last.text = "8 taps", last.line = -1, before_last.text = "off 2°", before_last.line = -2;
     const std::string shown = picture_words_markup(std::vector{last, tile, before_last});
     EXPECT_NE(shown.find("left:50.00%;top:0.00%;width:50.00%;height:100.00%"), std::string::npos) << shown;
     const size_t top = shown.find("64 steps"), second = shown.find("off 2°"), third = shown.find("8 taps");

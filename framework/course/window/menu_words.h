@@ -1,0 +1,15 @@
+// The words of a lab's picture, in the window's fonts. In the window module only.
+#pragma once
+
+#include <vector>
+
+#include "framework/core/lab/words.h"
+#include "framework/course/window/menu_layout.h"
+
+namespace relief::window {
+
+/// Draws words over their picture, below all panels: those whose middle is in the columns from `begin` to `end`, in
+/// pixels from the picture's left side. So a wipe shows each word whole, or not at all.
+void draw_words(const std::vector<PictureWord>& words, const Box& picture, int begin, int end);
+
+}  // namespace relief::window
