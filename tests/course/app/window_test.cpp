@@ -1,4 +1,6 @@
 // The menu window, with real key presses on its own X server (Xvfb).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -792,7 +794,7 @@ TEST_F(Window, TheChecksReportTheSameAsReliefCheck) {
     EXPECT_EQ(count(hint), 0u);
     course_.course.edit(task, "stored * 2.0 - 1.0", "stored");
     const Result wrong = run({course_.program("relief"), "check", "01"}, {folder_.path(), {}});
-    const std::string points = wrong.out.substr(wrong.out.rfind("\n", wrong.out.size() - 2) + 1);
+    const std::string points = wrong.out.substr(wrong.out.rfind('\n', wrong.out.size() - 2) + 1);
     EXPECT_TRUE(eventually([&] { return count("checks: " + points) == 1; })) << points << window_->err();
     EXPECT_TRUE(contains(wrong.out, hint)) << wrong.out;
     EXPECT_EQ(count(hint), 1u) << window_->err();
@@ -842,7 +844,7 @@ TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnob
     EXPECT_GT(place_of(expected, 68, 126), 0) << "right of it";
     EXPECT_EQ(frames().size(), 0u) << "the picture itself is not drawn where nobody sees it";
     press("Escape");
-    EXPECT_TRUE(eventually([&] { return frames().size() > 0; })) << window_->err();
+    EXPECT_TRUE(eventually([&] { return !frames().empty(); })) << window_->err();
     const Image live = saved("01_specular_highlights-1.png");
     const std::string size = std::to_string(place().width) + "x" + std::to_string(place().height);
     EXPECT_EQ(shot(size.c_str(), "live.png", "--probe").values, live.values) << "its knobs, camera and probe";
