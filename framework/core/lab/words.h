@@ -1,4 +1,4 @@
-// Pictures without words, for pages and slides that put the words over their pictures.
+// Pictures without words, for pages, slides and the window, which put the words over their pictures.
 #pragma once
 
 #include <glm/glm.hpp>
