@@ -285,7 +285,7 @@ private:
             if (drawn && !is_first) status_.note(stage_.milliseconds());
             wipe_.draw(stage_, room, time_, drawn);
             if (is_told_ || wipe_.is_opening()) turns_ = std::max(turns_, 2);
-            const int held = wipe_.framebuffer() ? wipe_.columns(room.x) : 0;
+            const int held = wipe_.shown_columns(room.x);
             if (held > 0) draw_words(wipe_.words(), {picture.at, room}, 0, held);
             if (stage_.framebuffer()) draw_words(stage_.words(), {picture.at, room}, held, room.x + 1);
             wipe_.draw_border({picture.at, room}, scale_, stage_);
@@ -370,7 +370,7 @@ private:
             glBindFramebuffer(GL_FRAMEBUFFER, 0);
             return;
         }
-        const int held = wipe_.framebuffer() ? wipe_.columns(room.x) : 0;
+        const int held = wipe_.shown_columns(room.x);
         if (held > 0) copy(wipe_.framebuffer(), 0, held);
         if (held < room.x) copy(stage_.framebuffer(), held, room.x);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);

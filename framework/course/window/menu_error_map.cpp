@@ -68,8 +68,9 @@ void ErrorMap::compute(Stage& stage) {
 
 namespace {
 
-/// Returns the words of the stage's picture. Draws it small: only the places matter.
+/// Returns the words of the stage's picture. A probe has none. Then draws the picture small: only the places matter.
 std::vector<PictureWord> words_of(const Stage& stage) {
+    if (!stage.probe()) return stage.words();
     Shot shot = stage.shot();
     shot.probe = {};
     shot.size = glm::max(shot.size / 4, glm::ivec2(1));

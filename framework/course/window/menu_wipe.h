@@ -35,6 +35,8 @@ public:
     const std::vector<PictureWord>& words() const { return held_->words(); }
     /// Returns how many columns of the picture show A.
     int columns(int width) const { return int(border_ * float(width) + 0.5f); }
+    /// The same, and 0 while A has no picture.
+    int shown_columns(int width) const { return framebuffer() ? columns(width) : 0; }
 
 private:
     std::optional<Stage> held_;
