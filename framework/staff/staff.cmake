@@ -9,6 +9,7 @@ target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE nlohmann_json::
 set_source_files_properties(framework/staff/reference/normals_row.cpp framework/staff/reference/tangent_faces.cpp
   PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 relief_takes_precompiled_headers(relief_reference)
+relief_in_batches(relief_reference)
 add_library(relief_truth SHARED $<TARGET_OBJECTS:relief_reference>)
 set_target_properties(relief_truth PROPERTIES OUTPUT_NAME relief-truth)
 target_link_libraries(relief_truth PUBLIC relief_framework)

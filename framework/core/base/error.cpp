@@ -15,9 +15,9 @@ std::string one_line(std::string text) {
 }
 
 std::string with_place(const Place& place, const std::string& message) {
-    std::string line = place.file.empty() ? "" : shown(place.file);
-    if (place.line > 0) line += ":" + std::to_string(place.line);
-    return one_line(line.empty() ? message : line + ": " + message);
+    std::string start = place.file.empty() ? "" : shown(place.file);
+    if (place.line > 0) start += ":" + std::to_string(place.line);
+    return one_line(start.empty() ? message : start + ": " + message);
 }
 
 }  // namespace

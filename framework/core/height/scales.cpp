@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr int columns = 2, rows = 4;
+constexpr int scale_columns = 2, scale_rows = 4;
 
 /// Returns the height of the uppermost scale at a place. x is in scales from side to side, y in rows. A scale has its
 /// root under the two scales above it, and rises towards its tip, two rows below.
@@ -40,9 +40,11 @@ Image make_scales(int texels) {
         for (int y = int(begin); y < int(end); ++y)
             for (int x = 0; x < texels; ++x) {
                 const double u = (x + 0.5) / texels, v = 1 - (y + 0.5) / texels;
-                const auto at = [&](double du, double dv) { return height((u + du) * columns, (v + dv) * rows); };
-                const double across = (at(step, 0) - at(-step, 0)) / (2 * step * columns),
-                             upwards = (at(0, step) - at(0, -step)) / (2 * step * columns);
+                const auto at = [&](double du, double dv) {
+                    return height((u + du) * scale_columns, (v + dv) * scale_rows);
+                };
+                const double across = (at(step, 0) - at(-step, 0)) / (2 * step * scale_columns),
+                             upwards = (at(0, step) - at(0, -step)) / (2 * step * scale_columns);
                 const glm::dvec3 normal = glm::normalize(glm::dvec3(-deep * across, -deep * upwards, 1));
                 for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(0.5 + 0.5 * normal[c]);
                 image.pixel(x, y)[3] = float(std::clamp(at(0, 0), 0.0, 1.0));

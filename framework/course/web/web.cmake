@@ -8,14 +8,14 @@ add_library(relief_framework OBJECT ${web_sources})
 target_link_libraries(relief_framework PUBLIC relief_cpu relief_glad
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)
 relief_takes_precompiled_headers(relief_framework)
-# This halves the time of the whole build for a browser, which nobody repeats after each line.
-set_target_properties(relief_cpu relief_framework PROPERTIES UNITY_BUILD ${RELIEF_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+relief_in_batches(relief_framework)
 
 # The page shows a task's file by this name, as other systems do.
 add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 set(RELIEF_MAIN ${PROJECT_SOURCE_DIR}/framework/course/web/web.cpp)
 relief_add_labs(${PROJECT_SOURCE_DIR}/labs)
+relief_in_batches(${RELIEF_LABS})  # nobody repeats this build after each line
 target_link_libraries(relief PRIVATE nlohmann_json::nlohmann_json PNG::PNG tinyobjloader::tinyobjloader)
 # The JavaScript around the module evaluates no text, so that a page can forbid it.
 target_link_options(relief PRIVATE --no-entry -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
