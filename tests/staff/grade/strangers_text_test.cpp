@@ -43,8 +43,8 @@ TEST(StrangersText, RoundTripsThroughJson) {
     for (int i = 0; i < 256; ++i) all += char(i);
     for (const std::string& bytes : {std::string("m\xfcller"), std::string("m\xc3\xbcller"), all,
                                      std::string("\xef\x9f\xbc private"), std::string("\xef\x9f"), std::string()}) {
-        const std::string json = nlohmann::json(utf8_of_bytes(bytes)).dump();  // throws if the text is not UTF-8
-        EXPECT_EQ(bytes_of_utf8(nlohmann::json::parse(json).get<std::string>()), bytes);
+        const std::string text = nlohmann::json(utf8_of_bytes(bytes)).dump();  // throws if the text is not UTF-8
+        EXPECT_EQ(bytes_of_utf8(nlohmann::json::parse(text).get<std::string>()), bytes);
     }
     EXPECT_EQ(utf8_of_bytes("m\xc3\xbcller"), "m\xc3\xbcller");
 }
