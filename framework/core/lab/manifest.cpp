@@ -416,7 +416,6 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     root.read("learns", manifest.learns);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
-    root.read("browser", manifest.browser);
     root.read("task_includes", manifest.task_includes);
 
     for (Table& table : root.tables("probe")) {

@@ -122,8 +122,6 @@ struct Manifest {
     std::vector<std::string> learns;
     Orbit camera;
     bool animated = false;
-    /// Whether its views draw without tessellation, so that a browser can show them.
-    bool browser = true;
     /// Files below `shaders` that the shader of a task may include, besides common/unfinished.glsl.
     std::vector<std::string> task_includes;
     std::vector<ProbeInfo> probes;

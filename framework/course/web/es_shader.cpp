@@ -105,7 +105,10 @@ const std::vector<MissingFunction>& missing_functions() {
         {"textureQueryLod",
          "vec2 textureQueryLod(sampler2D image, vec2 uv) {\n"
          "    vec2 texels = uv * vec2(textureSize(image, 0)), across = dFdx(texels), down = dFdy(texels);\n"
-         "    float level = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-30));\n"
+         "    vec2 odd = mod(floor(gl_FragCoord.xy), 2.0);\n"
+         "    across -= odd.y * dFdy(across), down -= odd.x * dFdx(down);\n"
+         "    float squared = max(max(dot(across, across), dot(down, down)), 1e-30), power = floor(log2(squared));\n"
+         "    float level = 0.5 * (power + squared * exp2(-power) - 1.0);\n"
          "    return vec2(max(level, 0.0), level);\n"
          "}\n",
          true},

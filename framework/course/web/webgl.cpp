@@ -11,6 +11,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/gl/gl.h"
 #include "framework/course/web/es_shader.h"
+#include "framework/course/web/patch_drawing.h"
 
 extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
@@ -69,9 +70,7 @@ GLboolean is_enabled(GLenum capability) {
     return is_capability_of_es(capability) ? real_glIsEnabled(capability) : GLboolean(GL_FALSE);
 }
 
-void polygon_mode(GLenum, GLenum) {}
 void provoking_vertex(GLenum) {}
-void patch_parameter(GLenum, GLint) {}
 
 void clear_depth(GLdouble depth) { real<void (*)(GLfloat)>("glClearDepthf")(GLfloat(depth)); }
 void depth_range(GLdouble nearest, GLdouble farthest) {
@@ -213,7 +212,7 @@ void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
 GLuint create_shader(GLenum stage) {
     RELIEF_REAL(glCreateShader);
     if (stage != GL_VERTEX_SHADER && stage != GL_FRAGMENT_SHADER)
-        throw Error("this view draws with tessellation, which no browser has: start the lab on your computer");
+        throw Error("this view draws with a geometry stage, which no browser has: start the lab on your computer");
     return real_glCreateShader(stage);
 }
 
@@ -347,8 +346,6 @@ GLADapiproc load(const char* name) {
         {"glGetShaderiv", of(get_shaderiv)},
         {"glGetString", of(get_string)},
         {"glIsEnabled", of(is_enabled)},
-        {"glPatchParameteri", of(patch_parameter)},
-        {"glPolygonMode", of(polygon_mode)},
         {"glProvokingVertex", of(provoking_vertex)},
         {"glReadPixels", of(read_pixels)},
         {"glShaderSource", of(shader_source)},
@@ -363,7 +360,7 @@ GLADapiproc load(const char* name) {
         {"glVertexAttribPointer", of(attribute_pointer)},
     };
     const auto found = ours.find(name);
-    return found != ours.end() ? found->second : reinterpret_cast<GLADapiproc>(emscripten_webgl_get_proc_address(name));
+    return patch_drawing(name, found != ours.end() ? found->second : of(emscripten_webgl_get_proc_address(name)));
 }
 
 }  // namespace
@@ -381,6 +378,7 @@ void open_webgl(const char* canvas) {
         if (!emscripten_webgl_enable_extension(context, extension))
             throw Error(std::string("this browser's WebGL 2 lacks ") + extension);
     emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info");
+    emscripten_webgl_enable_extension(context, "EXT_float_blend");  // for the probe `winding`, which sums up
     load_gl(load);
     GLAD_GL_EXT_texture_filter_anisotropic = 0;
 }

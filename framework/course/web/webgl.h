@@ -12,8 +12,9 @@ namespace relief::web {
 /// - Base vertices move the vertex attributes.
 /// - Doubles in uniforms, depth ranges and clear depths are rounded to single precision.
 /// - Capabilities that ES lacks (multisampling, polygon modes) cannot be changed.
-/// Stages of tessellation and geometry do not exist: glCreateShader() throws Error for one. Textures are never filtered
-/// anisotropically, as in the pictures that checks compare with.
+/// - Tessellation is emulated: see patch_drawing.h.
+/// A geometry stage does not exist: glCreateShader() throws Error for one. Textures are never filtered anisotropically,
+/// as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
 void open_webgl(const char* canvas);
 
