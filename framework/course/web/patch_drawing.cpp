@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "framework/core/base/error.h"
@@ -270,14 +271,17 @@ std::unique_ptr<UploadedTessellation> upload(const Tessellation& made) {
     return result;
 }
 
-/// Returns the tessellation of patches with these levels. Keeps some: often all patches have the same levels.
+/// Returns the tessellation of patches with these levels. Keeps it for other patches, passes and frames.
 const UploadedTessellation& tessellation(const PatchShader& stage, const TessellationLevels& levels) {
     using Key = std::tuple<int, TessellationSpacing, TessellationLevels>;
     static std::map<Key, std::unique_ptr<UploadedTessellation>> kept;
+    static size_t kept_triangles = 0;
     const Key key(stage.corners, stage.spacing, levels);
     if (const auto found = kept.find(key); found != kept.end()) return *found->second;
-    if (kept.size() >= 64) kept.clear();
-    return *(kept[key] = upload(tessellate(stage.corners, stage.spacing, levels)));
+    if (kept_triangles > 1'000'000) kept.clear(), kept_triangles = 0;  // 48 MB
+    const Tessellation made = tessellate(stage.corners, stage.spacing, levels);
+    kept_triangles += 100 + made.triangles.size();
+    return *(kept[key] = upload(made));
 }
 
 /// What a draw of patches needs besides the tessellations.
@@ -353,13 +357,19 @@ void draw_arrays(GLenum mode, GLint first, GLsizei count) {
     const auto patches = run_control(*program, first, count);
     below.use_program(used_program);
     glUniform1i(below.get_uniform_location(used_program, "r_passed"), passed_unit);
+    std::vector<float> all;
+    for (const auto& [levels, numbers] : patches) all.insert(all.end(), numbers.begin(), numbers.end());
+    glBindBuffer(GL_ARRAY_BUFFER, objects().numbers);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(all.size() * sizeof(float)), all.data(), GL_STREAM_DRAW);
+    size_t drawn = 0;
     for (const auto& [levels, numbers] : patches) {
         const UploadedTessellation& made = tessellation(program->evaluation_stage, levels);
+        const size_t begin = std::exchange(drawn, drawn + numbers.size());
+        if (made.triangles == 0) continue;
         if (counting) counted[counting] += made.triangles * GLint(numbers.size());
         glBindVertexArray(made.layout);
         glBindBuffer(GL_ARRAY_BUFFER, objects().numbers);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(numbers.size() * sizeof(float)), numbers.data(), GL_STREAM_DRAW);
-        glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+        glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, 0, reinterpret_cast<const void*>(begin * sizeof(float)));
         const GLsizei indices = 3 * made.triangles;
         if (draws_lines)
             glDrawElementsInstanced(GL_LINES, 2 * indices, GL_UNSIGNED_INT,

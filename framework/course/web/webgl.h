@@ -11,8 +11,8 @@ namespace relief::web {
 /// - 16-bit normalised textures become 32-bit floats, and border clamping becomes edge clamping.
 /// - Base vertices move the vertex attributes.
 /// - Doubles in uniforms, depth ranges and clear depths are rounded to single precision.
-/// - Capabilities that ES lacks (multisampling, polygon modes) cannot be changed.
-/// - Tessellation is emulated: see patch_drawing.h.
+/// - Capabilities that ES lacks (multisampling) cannot be changed.
+/// - Tessellation is emulated, and so are patches drawn as lines: see patch_drawing.h.
 /// A geometry stage does not exist: glCreateShader() throws Error for one. Textures are never filtered anisotropically,
 /// as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
