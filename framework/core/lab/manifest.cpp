@@ -162,7 +162,6 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     check.look_at = table.text("look_at");
     table.read("needs", check.needs);
     table.read("leans_on", check.leans_on);
-    table.read("fine", check.fine);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
     const auto refuse_wrong = [&](const char* key, const std::vector<std::string>& tasks) {

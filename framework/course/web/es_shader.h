@@ -13,6 +13,7 @@ enum class EsStage { vertex, fragment };
 /// - Functions that ES lacks are defined in front of the text if it calls them: see missing_functions().
 /// - Outputs of a vertex stage that are whole numbers become `flat`, as ES wants.
 /// - Doubles become floats.
+/// - A vertex stage adds `uniform vec2 relief_move`, in clip space, to each position.
 /// - `precise` and the declared direction of gl_FragDepth are dropped, as are #extension lines.
 std::string es_shader(const std::string& text, EsStage stage);
 

@@ -183,7 +183,7 @@ void delete_program(GLuint program) {
     below.delete_program(program);
 }
 
-void use_program(GLuint program) { below.use_program(used_program = program); }
+void use_patch_program(GLuint program) { below.use_program(used_program = program); }
 
 GLint get_uniform_location(GLuint program, const GLchar* name) {
     const GLint drawing = below.get_uniform_location(program, name);
@@ -429,7 +429,7 @@ GLADapiproc patch_drawing(const char* name, GLADapiproc function) {
         {"glUniform4fv", uniform_hook<glad_glUniform4fv>()},
         {"glUniformMatrix3fv", uniform_hook<glad_glUniformMatrix3fv>()},
         {"glUniformMatrix4fv", uniform_hook<glad_glUniformMatrix4fv>()},
-        {"glUseProgram", hook(use_program, below.use_program)},
+        {"glUseProgram", hook(use_patch_program, below.use_program)},
     };
     const auto found = hooks.find(name);
     if (found == hooks.end()) return function;

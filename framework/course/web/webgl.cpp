@@ -263,6 +263,29 @@ void get_shader_info_log(GLuint shader, GLsizei size, GLsizei* length, GLchar* t
     if (length) *length = GLsizei(log.size());
 }
 
+// --- Moved vertices --------------------------------------------------------------------------------------------------
+
+glm::vec2 moved_by{0}, viewport_size{1};
+bool have_moved = false;  ///< until then the uniforms of all programs are 0
+
+void move_program() {
+    GLint program = 0, place = -1;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    if (program != 0) place = glGetUniformLocation(GLuint(program), "relief_move");
+    if (place >= 0) glUniform2f(place, 2 * moved_by.x / viewport_size.x, 2 * moved_by.y / viewport_size.y);
+}
+void use_program(GLuint program) {
+    RELIEF_REAL(glUseProgram);
+    real_glUseProgram(program);
+    if (have_moved) move_program();
+}
+void viewport(GLint x, GLint y, GLsizei width, GLsizei height) {
+    RELIEF_REAL(glViewport);
+    real_glViewport(x, y, width, height);
+    viewport_size = {width, height};
+    if (have_moved) move_program();
+}
+
 // --- Base vertices ---------------------------------------------------------------------------------------------------
 
 struct Attribute {
@@ -356,8 +379,10 @@ GLADapiproc load(const char* name) {
         {"glUniform2dv", of(uniform_2dv)},
         {"glUniform3dv", of(uniform_3dv)},
         {"glUniformMatrix3dv", of(uniform_matrix_3dv)},
+        {"glUseProgram", of(use_program)},
         {"glVertexAttribIPointer", of(attribute_i_pointer)},
         {"glVertexAttribPointer", of(attribute_pointer)},
+        {"glViewport", of(viewport)},
     };
     const auto found = ours.find(name);
     return patch_drawing(name, found != ours.end() ? found->second : of(emscripten_webgl_get_proc_address(name)));
@@ -381,6 +406,11 @@ void open_webgl(const char* canvas) {
     emscripten_webgl_enable_extension(context, "EXT_float_blend");  // for the probe `winding`, which sums up
     load_gl(load);
     GLAD_GL_EXT_texture_filter_anisotropic = 0;
+}
+
+void move_vertices(glm::vec2 pixels) {
+    moved_by = pixels;
+    have_moved = true;
 }
 
 std::string renderer_name() {

@@ -1,6 +1,7 @@
 // WebGL 2 as the OpenGL 4.1 that labs call.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <string>
 
 namespace relief::web {
@@ -17,6 +18,9 @@ namespace relief::web {
 /// as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
 void open_webgl(const char* canvas);
+
+/// Moves all vertices of later drawings by a part of a pixel, see check::vertex_moves.
+void move_vertices(glm::vec2 pixels);
 
 /// Returns the renderer's name, with that of the device if the browser tells it.
 std::string renderer_name();
