@@ -53,13 +53,13 @@ private:
     /// Reads the arguments of the whole stage's layout(), which may be macros.
     void read_layout() {
         std::set<std::string> words;
-        for (size_t i = 0; i + 2 < tokens_.size(); ++i) {
-            const std::string macro = defined(text_, tokens_[i].text);
-            words.insert(macro.empty() ? tokens_[i].text : macro);
-            if (tokens_[i].text == "vertices" && tokens_[i + 1].text == "=") {
-                const std::string& count = tokens_[i + 2].text;
-                result_.corners = parse_int(count).value_or(parse_int(defined(text_, count)).value_or(0));
-            }
+        bool is_within = false;
+        for (size_t i = 0; i < tokens_.size(); ++i) {
+            is_within = tokens_[i].text == "layout" || (is_within && tokens_[i].text != ")");
+            if (!is_within) continue;
+            const std::string macro = defined(text_, tokens_[i].text), &word = macro.empty() ? tokens_[i].text : macro;
+            words.insert(word);
+            if (i >= 2 && tokens_[i - 2].text == "vertices") result_.corners = parse_int(word).value_or(0);
         }
         if (words.contains("fractional_odd_spacing")) result_.spacing = TessellationSpacing::fractional_odd;
         if (words.contains("fractional_even_spacing")) result_.spacing = TessellationSpacing::fractional_even;
