@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "framework/core/gl/object.h"
@@ -155,7 +154,7 @@ std::set<float> places_on_edge(const Tessellation& made, int edge, bool from_oth
     std::set<float> places;
     for (const glm::vec3& point : made.points) {
         const int across = edge % 2, along = 1 - across;  // of a quad: u = 0, v = 0, u = 1 and v = 1
-        if (point[across] == float(edge / 2)) places.insert(from_other_end ? 1 - point[along] : point[along]);
+        if (point[across] == (edge < 2 ? 0 : 1)) places.insert(from_other_end ? 1 - point[along] : point[along]);
     }
     return places;
 }
