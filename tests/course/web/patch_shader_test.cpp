@@ -74,7 +74,7 @@ TEST(PatchShader, AnEvaluationStageReadsWhatTheControlStageWrites) {
 TEST(PatchShader, TheLayoutMayBeMacros) {
     EXPECT_EQ(patch_shader(control("CORNERS", "#define CORNERS 3\n"), PatchStage::control).corners, 3);
     const std::string other = "const int vertices = 7;\nfloat quads = 9.0;\n";
-    EXPECT_EQ(patch_shader(control("4", other), PatchStage::control).corners, 4);
+    EXPECT_EQ(patch_shader(control() + other, PatchStage::control).corners, 4);
     const std::string both =
         "#if CORNERS == 4\nlayout(quads, SPACING, ccw) in;\n#else\nlayout(triangles, SPACING, ccw) in;\n#endif\n";
     for (const int corners : {3, 4}) {
