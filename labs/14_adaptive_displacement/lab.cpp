@@ -147,7 +147,7 @@ private:
 
     bool has_backs(const Define& purpose) const { return !surface_.is_one_sided() || purpose.text == "PROBE_winding"; }
 
-    /// Uses the surface's program, and sets all its uniforms except the shadow's.
+    /// Uses the surface's program, and sets all its uniforms.
     const Program& use_program(const View& view, const Define& purpose) {
         const bool is_probe = purpose.text.starts_with("PROBE_");
         const Program& program =
@@ -160,6 +160,7 @@ private:
         glUseProgram(program);
         surface_.set(program, view.seen);
         set_colors(program, view.seen);
+        if (settings_.shadow != Settings::no_shadow && purpose.text.empty()) shadow_map_.set(program, 4);
         set_levels(program, view.eye);
         set_culling(program, view, !has_backs(purpose));
         if (settings_.shadow == Settings::shadow_of_all && casts_shadow() && !is_probe)
@@ -172,8 +173,7 @@ private:
     /// Draws the surface. Returns the number of triangles drawn, or 0 for a probe.
     int draw_surface(const View& view, const Define& purpose) {
         const bool is_probe = purpose.text.starts_with("PROBE_");
-        const Program& program = use_program(view, purpose);
-        if (settings_.shadow != Settings::no_shadow && purpose.text.empty()) shadow_map_.set(program, 4);
+        use_program(view, purpose);
         if (!has_backs(purpose)) glEnable(GL_CULL_FACE);
         // A probe has no caption for the count. Its caller may have a query of its own running.
         const int triangles = is_probe ? (surface_.draw(), 0) : surface_.draw_and_count();

@@ -162,7 +162,6 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     check.look_at = table.text("look_at");
     table.read("needs", check.needs);
     table.read("leans_on", check.leans_on);
-    table.read("fine", check.fine);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
     const auto refuse_wrong = [&](const char* key, const std::vector<std::string>& tasks) {
@@ -416,7 +415,6 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     root.read("learns", manifest.learns);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
-    root.read("browser", manifest.browser);
     root.read("task_includes", manifest.task_includes);
 
     for (Table& table : root.tables("probe")) {

@@ -60,9 +60,6 @@ struct CheckInfo {
     std::vector<std::string> needs = {};
     /// Other tasks that may be unwritten, but that spoil the check if they are wrong.
     std::vector<std::string> leans_on = {};
-    /// The result changes if a vertex moves by 1/16 pixel, as when a surface is seen edge-on. Coarse rasterisers, which
-    /// some browsers have, do not judge it.
-    bool fine = false;
     bool depends_on(const std::string& other_task) const;
 };
 
@@ -122,8 +119,6 @@ struct Manifest {
     std::vector<std::string> learns;
     Orbit camera;
     bool animated = false;
-    /// Whether its views draw without tessellation, so that a browser can show them.
-    bool browser = true;
     /// Files below `shaders` that the shader of a task may include, besides common/unfinished.glsl.
     std::vector<std::string> task_includes;
     std::vector<ProbeInfo> probes;

@@ -290,10 +290,7 @@ private:
         const auto add = [&](const char* name, const std::string& place) {
             if (!place.empty()) links.push_back(pages::Fields{{"name", name}, {"place", place}});
         };
-        const auto live = std::find_if(pages_.begin(), pages_.end(), [](const pages::LabPage& page) {
-            return !page.live.empty() && page.manifest->browser;
-        });
-        if (live != pages_.end()) add("Try in a browser", live->live);
+        if (!pages_.empty()) add("Try in a browser", pages_.front().live);
         if (!is_live_) add("Speed and error", bench_->place("index.html"));
         return links;
     }

@@ -15,7 +15,6 @@
 #include "framework/core/gl/gl.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
-#include "framework/course/check/allowance.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/kept_labs.h"
 #include "framework/course/check/reach.h"
@@ -465,8 +464,23 @@ std::string task_at(const Manifest& manifest, const Place& place) {
     return {};
 }
 
+/// Draws a shot again with each of vertex_moves.
+std::vector<Image> moved_drawings(const LabEntry& lab, const Shot& shot, const NamedRenderer& renderer) {
+    struct Moving {
+        const NamedRenderer& renderer;
+        ~Moving() { renderer.move_vertices({}); }
+    } const moving{renderer};
+    std::vector<Image> drawings;
+    for (const glm::vec2 move : vertex_moves) {
+        KeptLabs labs(lab);  // a kept lab would keep its textures, which were drawn without the move
+        renderer.move_vertices(move);
+        drawings.push_back(draw_shot(labs.drawer_of(shot), shot));
+    }
+    return drawings;
+}
+
 CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check,
-                   const std::optional<Image>& expected, Rasteriser rasteriser = Rasteriser::exact) {
+                   const std::optional<Image>& expected, const NamedRenderer& renderer = {.name = "llvmpipe"}) {
     CheckRun run{{&check}};
     CheckResult& result = run.result;
     if (expected) result.expected = *expected;
@@ -488,8 +502,14 @@ CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& ch
             if (!expected) result.expected = draw(labs, manifest.check(check.against).shot);
             const std::string& probe = check.shot.probe.name;
             const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
-            const Image judged = with_allowance(rasteriser, check, metric, result.drawn, result.expected);
+            const Rasteriser rasteriser = rasteriser_of(renderer.name);
+            Image judged = with_allowance(rasteriser, check, metric, result.drawn, result.expected);
             said = judge(manifest, check, judged, result.expected);
+            if (rasteriser == Rasteriser::coarse && said.outcome == Outcome::wrong && renderer.move_vertices) {
+                judged = with_allowance(rasteriser, check, metric, result.drawn, result.expected,
+                                        moved_drawings(labs.entry(), check.shot, renderer));
+                said = judge(manifest, check, judged, result.expected);
+            }
             if (said.outcome == Outcome::wrong)
                 if (auto relation = relation_of(manifest, check, judged, result.expected,
                                                 [&] { return base_of(labs.entry(), manifest, check); })) {
@@ -540,20 +560,19 @@ struct LabChecker::Memory {
     const Manifest& manifest;
     OtherShaders others;
     Fingerprints fingerprints;
-    Rasteriser rasteriser;
+    NamedRenderer renderer;
     std::vector<Judgement> said = {};
     Samples drawn = {};
 };
 
-std::string renderer_of_context() {
+NamedRenderer renderer_of_context() {
     if (!glGetString) return {};
     const auto* const name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return name ? name : "";
+    return {.name = name ? name : ""};
 }
 
-LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, const std::string& renderer)
-    : memory_(new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest),
-                         rasteriser_of(renderer)}) {
+LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, const NamedRenderer& renderer)
+    : memory_(new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest), renderer}) {
     memory_->said.resize(manifest.checks.size(), {.outcome = Outcome::passed});
 }
 LabChecker::~LabChecker() = default;
@@ -565,10 +584,10 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
 
 CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected, KeptLabs& labs) {
     const ComparableDrawing comparable;  // the window draws its own pictures with all that the GPU has
-    auto& [lab, manifest, others, fingerprints, rasteriser, said, drawn] = *memory_;
+    auto& [lab, manifest, others, fingerprints, renderer, said, drawn] = *memory_;
     const std::string& file = manifest.task(manifest.checks[check].task).file;
     const std::string beyond = what_reaches_beyond(file, others);
-    CheckRun run = beyond.empty() ? try_check(labs, manifest, manifest.checks[check], expected, rasteriser)
+    CheckRun run = beyond.empty() ? try_check(labs, manifest, manifest.checks[check], expected, renderer)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
     said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at, run.result.relation};
     drawn.erase(check);
@@ -578,7 +597,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected, 
 }
 
 Advice LabChecker::advice() const {
-    const auto& [lab, manifest, others, fingerprints, rasteriser, said, drawn] = *memory_;
+    const auto& [lab, manifest, others, fingerprints, renderer, said, drawn] = *memory_;
     std::set<std::string> recognised;
     for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
     const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "framework/core/lab/manifest.h"
+#include "framework/course/check/allowance.h"
 #include "framework/course/check/relation.h"
 
 namespace relief::check {
@@ -133,16 +134,16 @@ struct Advice {
     void apply(size_t check, CheckResult& result) const;
 };
 
-/// Returns the name of the current context's renderer, or "" without a context, which counts as an unknown GPU.
-std::string renderer_of_context();
+/// Returns the current context's renderer. It has no name without a context, which counts as an unknown GPU.
+NamedRenderer renderer_of_context();
 
 /// Runs a lab's checks one at a time, in any order and any number of times. Reads the task files at each run; reads the
 /// lab's other shaders and its fingerprints once. Knows no mistakes if the file of fingerprints is damaged. The
 /// manifest must outlive the checker.
 class LabChecker {
 public:
-    /// `renderer` is the name of the renderer that draws, see with_allowance(). Default: that of the current context.
-    LabChecker(const LabEntry& lab, const Manifest& manifest, const std::string& renderer = renderer_of_context());
+    /// `renderer` draws, see with_allowance(). Default: that of the current context.
+    LabChecker(const LabEntry& lab, const Manifest& manifest, const NamedRenderer& renderer = renderer_of_context());
     ~LabChecker();
 
     /// Like run_check(), but the outcome is `broken` if the task's shader reaches_beyond() its functions.

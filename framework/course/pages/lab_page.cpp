@@ -72,7 +72,7 @@ std::string lab_page(const LabPage& page) {
                           {"compared", compared(page)},
                           {"previous", neighbour(page.previous)},
                           {"next", neighbour(page.next)},
-                          {"links", link_row({{"Try in a browser", manifest.browser ? page.live : ""},
+                          {"links", link_row({{"Try in a browser", page.live},
                                               {"Handout", page.handout},
                                               {"Slides", page.slides},
                                               {"Slides as PDF", page.slides_to_print},

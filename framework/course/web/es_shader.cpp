@@ -18,6 +18,11 @@ constexpr const char* precisions =
     "#define double float\n#define dvec2 vec2\n#define dvec3 vec3\n#define dvec4 vec4\n"
     "#define dmat2 mat2\n#define dmat3 mat3\n#define dmat4 mat4\n";
 
+/// The end of a vertex stage whose own main() has another name.
+constexpr const char* moving_main =
+    "\n#undef main\nuniform vec2 relief_move;\n"
+    "void main() {\n    relief_main();\n    gl_Position.xy += relief_move * gl_Position.w;\n}\n";
+
 bool is_whole(const std::string& type) {
     return type == "int" || type == "uint" || type.starts_with("ivec") || type.starts_with("uvec");
 }
@@ -105,7 +110,10 @@ const std::vector<MissingFunction>& missing_functions() {
         {"textureQueryLod",
          "vec2 textureQueryLod(sampler2D image, vec2 uv) {\n"
          "    vec2 texels = uv * vec2(textureSize(image, 0)), across = dFdx(texels), down = dFdy(texels);\n"
-         "    float level = 0.5 * log2(max(max(dot(across, across), dot(down, down)), 1e-30));\n"
+         "    vec2 odd = mod(floor(gl_FragCoord.xy), 2.0);\n"
+         "    across -= odd.y * dFdy(across), down -= odd.x * dFdx(down);\n"
+         "    float squared = max(max(dot(across, across), dot(down, down)), 1e-30), power = floor(log2(squared));\n"
+         "    float level = 0.5 * (power + squared * exp2(-power) - 1.0);\n"
          "    return vec2(max(level, 0.0), level);\n"
          "}\n",
          true},
@@ -144,6 +152,11 @@ std::string es_shader(const std::string& text, EsStage stage) {
         if ((stage == EsStage::fragment || !function.in_fragments_only) &&
             std::any_of(tokens.begin(), tokens.end(), is_call))
             head += function.text;
+    }
+    const auto is_main = [](const GlslToken& token) { return token.text == "main"; };
+    if (stage == EsStage::vertex && std::any_of(tokens.begin(), tokens.end(), is_main)) {
+        head += "#define main relief_main\n";
+        body += moving_main;
     }
     return head + "#line 2\n" + body;
 }

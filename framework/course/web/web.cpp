@@ -15,7 +15,6 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
-#include "framework/course/check/allowance.h"
 #include "framework/course/check/check.h"
 #include "framework/course/web/webgl.h"
 
@@ -37,7 +36,7 @@ struct OpenLab {
         : entry(from),
           manifest(check::manifest_to_check(from)),
           lab(from.make()),
-          checker(from, manifest, renderer_name()) {}
+          checker(from, manifest, {renderer_name(), move_vertices}) {}
 };
 
 std::unique_ptr<OpenLab>& opened() {
@@ -132,13 +131,6 @@ Shot shot_of(const json& request) {
                    .field_of_view = camera.at("field_of_view")};
     shot.probe.name = request.value("probe", "");
     return shot;
-}
-
-/// Returns what a check found, or why it says nothing.
-std::string found_by(const check::CheckResult& result) {
-    const bool is_judged = !result.check->fine || result.outcome != check::Outcome::passed ||
-                           check::rasteriser_of(renderer_name()) != check::Rasteriser::coarse;
-    return is_judged ? result.found : "this browser draws too coarsely for this check: your teacher's grader runs it";
 }
 
 /// Puts a picture of 3 channels in 8 bits into bytes with alpha, as a canvas takes them.
@@ -255,7 +247,7 @@ EMSCRIPTEN_KEEPALIVE const char* relief_check(int index) {
         const CheckInfo& check = lab().manifest.checks.at(i);
         const check::CheckResult& result = lab().results[i] =
             lab().checker.run(i, check::expectation(lab().entry, check));
-        return {{"outcome", name_of(result.outcome)}, {"found", found_by(result)}, {"details", result.details}};
+        return {{"outcome", name_of(result.outcome)}, {"found", result.found}, {"details", result.details}};
     });
 }
 
@@ -271,7 +263,7 @@ EMSCRIPTEN_KEEPALIVE const char* relief_advice() {
             check::CheckResult result = lab().results.at(i);
             advice.apply(i, result);
             checks.push_back(
-                {{"outcome", name_of(result.outcome)}, {"found", found_by(result)}, {"look_at", result.look_at}});
+                {{"outcome", name_of(result.outcome)}, {"found", result.found}, {"look_at", result.look_at}});
             for (check::TaskResult& task : results)
                 if (task.task->id == result.check->task) task.checks.push_back(std::move(result));
         }

@@ -11,6 +11,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/gl/gl.h"
 #include "framework/course/web/es_shader.h"
+#include "framework/course/web/patch_drawing.h"
 
 extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
@@ -69,9 +70,7 @@ GLboolean is_enabled(GLenum capability) {
     return is_capability_of_es(capability) ? real_glIsEnabled(capability) : GLboolean(GL_FALSE);
 }
 
-void polygon_mode(GLenum, GLenum) {}
 void provoking_vertex(GLenum) {}
-void patch_parameter(GLenum, GLint) {}
 
 void clear_depth(GLdouble depth) { real<void (*)(GLfloat)>("glClearDepthf")(GLfloat(depth)); }
 void depth_range(GLdouble nearest, GLdouble farthest) {
@@ -213,7 +212,7 @@ void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
 GLuint create_shader(GLenum stage) {
     RELIEF_REAL(glCreateShader);
     if (stage != GL_VERTEX_SHADER && stage != GL_FRAGMENT_SHADER)
-        throw Error("this view draws with tessellation, which no browser has: start the lab on your computer");
+        throw Error("this view draws with a geometry stage, which no browser has: start the lab on your computer");
     return real_glCreateShader(stage);
 }
 
@@ -262,6 +261,29 @@ void get_shader_info_log(GLuint shader, GLsizei size, GLsizei* length, GLchar* t
     std::copy(log.begin(), log.end(), text);
     text[log.size()] = '\0';
     if (length) *length = GLsizei(log.size());
+}
+
+// --- Moved vertices --------------------------------------------------------------------------------------------------
+
+glm::vec2 moved_by{0}, viewport_size{1};
+bool have_moved = false;  ///< until then the uniforms of all programs are 0
+
+void move_program() {
+    GLint program = 0, place = -1;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    if (program != 0) place = glGetUniformLocation(GLuint(program), "relief_move");
+    if (place >= 0) glUniform2f(place, 2 * moved_by.x / viewport_size.x, 2 * moved_by.y / viewport_size.y);
+}
+void use_program(GLuint program) {
+    RELIEF_REAL(glUseProgram);
+    real_glUseProgram(program);
+    if (have_moved) move_program();
+}
+void viewport(GLint x, GLint y, GLsizei width, GLsizei height) {
+    RELIEF_REAL(glViewport);
+    real_glViewport(x, y, width, height);
+    viewport_size = {width, height};
+    if (have_moved) move_program();
 }
 
 // --- Base vertices ---------------------------------------------------------------------------------------------------
@@ -347,8 +369,6 @@ GLADapiproc load(const char* name) {
         {"glGetShaderiv", of(get_shaderiv)},
         {"glGetString", of(get_string)},
         {"glIsEnabled", of(is_enabled)},
-        {"glPatchParameteri", of(patch_parameter)},
-        {"glPolygonMode", of(polygon_mode)},
         {"glProvokingVertex", of(provoking_vertex)},
         {"glReadPixels", of(read_pixels)},
         {"glShaderSource", of(shader_source)},
@@ -359,11 +379,13 @@ GLADapiproc load(const char* name) {
         {"glUniform2dv", of(uniform_2dv)},
         {"glUniform3dv", of(uniform_3dv)},
         {"glUniformMatrix3dv", of(uniform_matrix_3dv)},
+        {"glUseProgram", of(use_program)},
         {"glVertexAttribIPointer", of(attribute_i_pointer)},
         {"glVertexAttribPointer", of(attribute_pointer)},
+        {"glViewport", of(viewport)},
     };
     const auto found = ours.find(name);
-    return found != ours.end() ? found->second : reinterpret_cast<GLADapiproc>(emscripten_webgl_get_proc_address(name));
+    return patch_drawing(name, found != ours.end() ? found->second : of(emscripten_webgl_get_proc_address(name)));
 }
 
 }  // namespace
@@ -381,8 +403,14 @@ void open_webgl(const char* canvas) {
         if (!emscripten_webgl_enable_extension(context, extension))
             throw Error(std::string("this browser's WebGL 2 lacks ") + extension);
     emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info");
+    emscripten_webgl_enable_extension(context, "EXT_float_blend");  // for the probe `winding`, which sums up
     load_gl(load);
     GLAD_GL_EXT_texture_filter_anisotropic = 0;
+}
+
+void move_vertices(glm::vec2 pixels) {
+    moved_by = pixels;
+    have_moved = true;
 }
 
 std::string renderer_name() {

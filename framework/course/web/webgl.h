@@ -1,6 +1,7 @@
 // WebGL 2 as the OpenGL 4.1 that labs call.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <string>
 
 namespace relief::web {
@@ -11,11 +12,15 @@ namespace relief::web {
 /// - 16-bit normalised textures become 32-bit floats, and border clamping becomes edge clamping.
 /// - Base vertices move the vertex attributes.
 /// - Doubles in uniforms, depth ranges and clear depths are rounded to single precision.
-/// - Capabilities that ES lacks (multisampling, polygon modes) cannot be changed.
-/// Stages of tessellation and geometry do not exist: glCreateShader() throws Error for one. Textures are never filtered
-/// anisotropically, as in the pictures that checks compare with.
+/// - Capabilities that ES lacks (multisampling) cannot be changed.
+/// - Tessellation is emulated, and so are patches drawn as lines: see patch_drawing.h.
+/// A geometry stage does not exist: glCreateShader() throws Error for one. Textures are never filtered anisotropically,
+/// as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
 void open_webgl(const char* canvas);
+
+/// Moves all vertices of later drawings by a part of a pixel, see check::vertex_moves.
+void move_vertices(glm::vec2 pixels);
 
 /// Returns the renderer's name, with that of the device if the browser tells it.
 std::string renderer_name();

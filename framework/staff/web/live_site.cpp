@@ -69,7 +69,6 @@ private:
     void write_page(size_t i) {
         const LabEntry& lab = *labs_[i];
         const Manifest manifest = load_manifest(site_.course / "labs" / lab.folder / "lab.toml");
-        const bool is_far = !manifest.browser;
         std::string task;
         std::vector<std::string> not_here;
         for (const TaskInfo& each : manifest.tasks)
@@ -78,12 +77,13 @@ private:
             else
                 not_here.push_back(each.id);
         json first = json::array(), files = json::array();
-        if (!is_far)
-            for (const std::string& file : files_of(site_.course, lab.folder)) {
-                copied_.insert(file);
-                files.push_back(file);
-                if (is_fetched_first(file)) first.push_back(file);
-            }
+        bool has_tessellation = false;
+        for (const std::string& file : files_of(site_.course, lab.folder)) {
+            copied_.insert(file);
+            files.push_back(file);
+            if (is_fetched_first(file)) first.push_back(file);
+            has_tessellation |= file.ends_with(".tese");
+        }
         const json data = {
             {"number", lab.number}, {"task", task}, {"not_here", not_here}, {"first", first}, {"files", files}};
         const auto neighbour = [&](size_t index) {
@@ -97,7 +97,7 @@ private:
                 "framework/staff/web/live",
                 {{"number", lab.two_digits()},
                  {"title", manifest.title},
-                 {"is_far", is_far},
+                 {"has_tessellation", has_tessellation},
                  {"lab", data.dump()},
                  {"compiled",
                   not_here.empty() ? "" : (not_here.size() == 1 ? "task " : "tasks ") + join(not_here, ", ")},

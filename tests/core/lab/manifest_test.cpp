@@ -32,7 +32,6 @@ title = "Parallax occlusion mapping"
 learns = ["march a ray", "what a step costs"]
 camera = { yaw = 60, pitch = -10.5, distance = 2.5, target = [1, 2, 3], field_of_view = 30 }
 animated = true
-browser = false
 
 [[probe]]
 name = "normal"
@@ -72,7 +71,6 @@ shot = { set = { steps = 4, scale = 0.5, shadows = false, method = "cone" }, pro
     const Orbit camera{.yaw = 60, .pitch = -10.5, .distance = 2.5, .target = {1, 2, 3}, .field_of_view = 30};
     EXPECT_EQ(manifest.camera, camera);
     EXPECT_TRUE(manifest.animated);
-    EXPECT_FALSE(manifest.browser);
     ASSERT_EQ(manifest.probes.size(), 3u);
     EXPECT_EQ(manifest.probe("normal").unit, "degree");
     EXPECT_EQ(manifest.probe("normal").error, ErrorMetric::angle);

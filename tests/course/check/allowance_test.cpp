@@ -96,18 +96,62 @@ TEST(Allowance, DependsOnTheRenderer) {
     };
     EXPECT_EQ(left(Rasteriser::exact), 5.75f);
     EXPECT_EQ(left(Rasteriser::usual), 5.25f);
-    EXPECT_EQ(left(Rasteriser::coarse), 5);
+    EXPECT_EQ(left(Rasteriser::coarse), 5.625f);
     check.limits.at_least = 0.5;  // the two must differ
     EXPECT_EQ(left(Rasteriser::coarse), 5.75f);
 }
 
-TEST(Allowance, OnlyACoarseRendererLeavesFineChecksToTheGrader) {
-    const Image expected = picture([](int, int) { return 0; }), wrong = picture([](int, int) { return 7; });
+TEST(Allowance, WhatMovesWithTheVerticesIsAllowedOnBothSides) {
+    const auto flat = [](double value) { return picture([=](int, int) { return value; }); };
+    const std::vector<Image> moved = {flat(5), flat(6)};  // the range is 1, and 1.5 more on either side
+    const auto left = [&](double expected) {
+        return *without_rounding(flat(5.5), moved, flat(expected), ErrorMetric::absolute).pixel(5, 5);
+    };
+    EXPECT_EQ(left(3.5), 3.5f);
+    EXPECT_EQ(left(7.5), 7.5f);
+    EXPECT_EQ(left(3), 3.5f);
+    EXPECT_EQ(left(9), 7.5f);
     CheckInfo check;
-    check.fine = true;
-    EXPECT_EQ(with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, wrong, expected).values,
-              expected.values);
-    EXPECT_EQ(*with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, wrong, expected).pixel(5, 5), 7);
+    EXPECT_EQ(with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, flat(5.5), flat(7.5), moved).values,
+              flat(7.5).values);
+    EXPECT_EQ(with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, flat(5.5), flat(7.5), moved).values,
+              with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, flat(5.5), flat(7.5)).values);
+}
+
+TEST(Allowance, WhatStaysWhenVerticesMoveKeepsItsError) {
+    const Image expected = picture([](int x, int y) { return x % 2 + y % 3; }),
+                wrong = picture([](int x, int y) { return x % 2 + y % 3 + 0.01; });
+    EXPECT_EQ(without_rounding(wrong, {wrong, wrong}, expected, ErrorMetric::absolute).values, wrong.values);
+}
+
+TEST(Allowance, ASurfaceInSomeOfTheMovedDrawingsIsAllowed) {
+    const auto step = [](int edge) { return picture([=](int x, int) { return x < edge ? 0.5 : double(no_surface); }); };
+    const auto left = [&](const std::vector<Image>& moved) {
+        return without_rounding(step(9), moved, step(8), ErrorMetric::absolute);
+    };
+    EXPECT_EQ(left({step(8)}).values, step(8).values);
+    EXPECT_EQ(left({step(9)}).values, step(9).values);
+}
+
+TEST(Allowance, ADirectionThatMovesKeepsItsLength) {
+    const auto leaning = [](float x, float length) {
+        Image image(1, 1, 3);
+        image.values = {length * x, 0, length * std::sqrt(1 - x * x)};
+        return image;
+    };
+    const Image left = without_rounding(leaning(0.6f, 2), {leaning(0.5f, 3)}, leaning(0.55f, 1), ErrorMetric::angle);
+    EXPECT_FLOAT_EQ(left.values[0], 2 * 0.55f);
+    EXPECT_FLOAT_EQ(left.values[2], 2 * std::sqrt(1 - 0.55f * 0.55f));
+}
+
+TEST(Allowance, ValuesThatAreNoNumbersStayWhenVerticesMove) {
+    Image drawn(1, 1, 3), moved = drawn, expected = drawn;
+    drawn.values = {NAN, not_written, 1};
+    moved.values = {0, 0, NAN};
+    const Image left = without_rounding(drawn, {moved}, expected, ErrorMetric::distance);
+    EXPECT_TRUE(std::isnan(left.values[0]));
+    EXPECT_EQ(left.values[1], not_written);
+    EXPECT_EQ(left.values[2], 1);
 }
 
 }  // namespace

@@ -56,6 +56,17 @@ TEST(EsShader, AMissingFunctionIsDefinedIfItIsCalled) {
     EXPECT_EQ(es_shader(version + query, EsStage::vertex).find("vec2 textureQueryLod("), std::string::npos);
 }
 
+TEST(EsShader, AVertexStageCanMoveItsPositions) {
+    const std::string text = "void main() { gl_Position = vec4(0); }\n",
+                      moving = es_shader(version + text, EsStage::vertex);
+    const size_t renamed = moving.find("#define main relief_main\n"), line = moving.find("#line 2\n"),
+                 restored = moving.find("#undef main\n");
+    EXPECT_LT(renamed, line);
+    EXPECT_LT(line, restored);
+    EXPECT_NE(moving.find("gl_Position.xy += relief_move * gl_Position.w;", restored), std::string::npos);
+    EXPECT_EQ(body(text, EsStage::fragment), text);
+}
+
 TEST(EsShader, AnEmptyTextIsConverted) { EXPECT_NE(es_shader("", EsStage::vertex), ""); }
 
 TEST(EsLog, ImplicitConversionsAreExplained) {

@@ -59,9 +59,6 @@ protected:
     static std::string page_of(const LabEntry& lab) {
         return server_->address() + "labs%20of%20a%20course/" + lab.folder + "-live.html";
     }
-    static bool runs_here(const LabEntry& lab) {
-        return contains(read_file(site() / (lab.folder + "-live.html")), "live.js");
-    }
 
     static void open(const LabEntry& lab) {
         browser_->open_address(page_of(lab));
@@ -106,13 +103,8 @@ TEST_F(Web, NoFileOfTheSiteHasASecret) {
 
 // The solutions of all tasks that are shaders have all points, and the same picture as outside of a browser.
 TEST_F(Web, EachLabOpensDrawsAndAcceptsItsSolution) {
-    std::vector<std::string> elsewhere;
     for (const LabEntry& lab : registry()) {
         SCOPED_TRACE(lab.folder);
-        if (!runs_here(lab)) {
-            elsewhere.push_back(lab.two_digits());
-            continue;
-        }
         if (!is_in_sample(lab.two_digits())) continue;
         open(lab);
         EXPECT_EQ(text_of("#problem"), "");
@@ -123,14 +115,13 @@ TEST_F(Web, EachLabOpensDrawsAndAcceptsItsSolution) {
             << text_of("#checks");
         expect_no_complaint(lab.folder);
     }
-    // They draw with tessellation, which no browser has.
-    EXPECT_EQ(elsewhere, (std::vector<std::string>{"13", "14"}));
 }
 
 TEST_F(Web, PicturesEqualThoseOutsideOfABrowser) {
     // Channels that differ by more than 1/255, of 57,600. Labs 05, 08 and 09 need tasks in C++ for theirs.
-    const std::map<int, int> allowed = {{1, 0},  {2, 0},  {3, 0},  {4, 0},  {6, 0},  {7, 0}, {10, 0},
-                                        {11, 0}, {12, 0}, {15, 0}, {16, 0}, {17, 0}, {18, 0}};
+    // Lab 13 draws triangles as lines, also those that face away: some are seen at the outline.
+    const std::map<int, int> allowed = {{1, 0},  {2, 0},   {3, 0},  {4, 0},  {6, 0},  {7, 0},  {10, 0}, {11, 0},
+                                        {12, 0}, {13, 60}, {14, 0}, {15, 0}, {16, 0}, {17, 0}, {18, 0}};
     for (const LabEntry& lab : registry()) {
         if (!allowed.contains(lab.number) || !is_in_sample(lab.two_digits())) continue;
         const fs::path file = folder_->path() / "native.ppm";
@@ -231,7 +222,7 @@ TEST_F(Web, PagesAreAccessible) {
     for (const char* number : {"10", "13"}) {
         const LabEntry& lab = find_lab(number);
         browser_->open_address(page_of(lab));
-        if (runs_here(lab)) browser_->wait_for("window.ready");
+        browser_->wait_for("window.ready");
         for (const std::string& fault : browser_->accessibility_faults()) ADD_FAILURE() << number << ": " << fault;
         expect_no_complaint(number);
     }
