@@ -156,6 +156,8 @@ TEST(Allowance, ADirectionThatMovesKeepsItsLength) {
     const Image left = without_rounding(leaning(0.6f, 2), {leaning(0.5f, 3)}, leaning(0.55f, 1), ErrorMetric::angle);
     EXPECT_FLOAT_EQ(left.values[0], 2 * 0.55f);
     EXPECT_FLOAT_EQ(left.values[2], 2 * std::sqrt(1 - 0.55f * 0.55f));
+    const Image longer = leaning(0.6f, 3), drawn = leaning(0.6f, 2);
+    EXPECT_NEAR(without_rounding(drawn, {longer}, leaning(0.55f, 1), ErrorMetric::angle).values[0], 1.2f, 1e-6f);
 }
 
 TEST(Allowance, ValuesThatAreNoNumbersStayWhenVerticesMove) {

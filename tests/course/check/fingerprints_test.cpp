@@ -91,6 +91,8 @@ TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
 TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
     EXPECT_TRUE(is_like({.differ = 24, .agree = 23}, false));
     EXPECT_FALSE(is_like({.differ = 24, .agree = 22}, false));
+    EXPECT_TRUE(is_like({.differ = 24, .agree = 17}, false, other_renderer));
+    EXPECT_FALSE(is_like({.differ = 24, .agree = 16}, false, other_renderer));
     EXPECT_FALSE(is_like({.differ = 3, .agree = 2}, true));
     EXPECT_TRUE(is_like({.differ = 0, .agree = 0}, true)) << "it passes, with the mistake, too";
     EXPECT_FALSE(is_like({.differ = 0, .agree = 0}, false)) << "it fails where the mistake does not show";
