@@ -39,6 +39,15 @@ float scale_of(const float* vector, const float* exact, ErrorMetric metric) {
     return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
+/// Returns for each pixel whether all pictures have the same values there.
+std::vector<bool> equal_pixels(const Image& picture, const std::vector<Image>& others) {
+    std::vector<bool> equal(picture.pixel_count(), true);
+    for (const Image& other : others)
+        for (size_t i = 0; i < picture.values.size(); ++i)
+            if (picture.values[i] != other.values[i]) equal[i / size_t(picture.channels)] = false;
+    return equal;
+}
+
 }  // namespace
 
 Rasteriser rasteriser_of(const std::string& renderer) {
@@ -54,11 +63,12 @@ Image with_allowance(Rasteriser rasteriser, const CheckInfo& check, ErrorMetric 
     if (rasteriser == Rasteriser::usual)
         return without_outliers(without_shifts(drawn, expected, metric, 0.5f), expected, metric, 0.01);
     const Image steady = without_rounding(drawn, moved, expected, metric);
-    return without_outliers(without_shifts(steady, expected, metric, 0.125f), expected, metric, 0.02);
+    return without_outliers(without_shifts(steady, expected, metric, 0.125f), expected, metric, 0.02,
+                            check.shot.probe ? equal_pixels(drawn, moved) : std::vector<bool>());
 }
 
 Image without_rounding(const Image& drawn, const std::vector<Image>& moved, const Image& expected, ErrorMetric metric) {
-    constexpr float margin = 1.5f;
+    constexpr float margin = 0.25f;
     Image result = drawn;
     const size_t channels = size_t(drawn.channels);
     for (size_t i = 0; i < drawn.pixel_count(); ++i) {
@@ -108,12 +118,17 @@ Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metr
     return result;
 }
 
-Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share) {
+Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share,
+                       const std::vector<bool>& stays) {
     const Image error = error_image(drawn, expected, metric);
     std::vector<size_t> order;
-    for (size_t i = 0; i < error.values.size(); ++i)
-        if (std::isfinite(error.values[i])) order.push_back(i);
-    const auto count = std::ptrdiff_t(double(order.size()) * share);
+    size_t compared = 0;
+    for (size_t i = 0; i < error.values.size(); ++i) {
+        if (!std::isfinite(error.values[i])) continue;
+        ++compared;
+        if (stays.empty() || !stays[i]) order.push_back(i);
+    }
+    const auto count = std::ptrdiff_t(std::min(size_t(double(compared) * share), order.size()));
     std::nth_element(order.begin(), order.begin() + count, order.end(),
                      [&](size_t a, size_t b) { return error.values[a] > error.values[b]; });
     Image result = drawn;

@@ -33,14 +33,14 @@ inline constexpr std::array<glm::vec2, 4> vertex_moves = {
 
 /// Returns the picture to judge instead of `drawn`. `exact`: `drawn` itself. `usual`: without_shifts() of half a pixel,
 /// then without_outliers() of 1 %. `coarse`: without_rounding() in the drawings `moved`, then without_shifts() of an
-/// eighth of a pixel and without_outliers() of 2 %. Two pictures that must differ (Limits::at_least) are judged as they
-/// are, and so are pictures of different shapes.
+/// eighth of a pixel, and without_outliers() of 2 %: of a probe, among the pixels that differ in `moved`. Two pictures
+/// that must differ (Limits::at_least) are judged as they are, and so are pictures of different shapes.
 Image with_allowance(Rasteriser rasteriser, const CheckInfo& check, ErrorMetric metric, const Image& drawn,
                      const Image& expected, const std::vector<Image>& moved = {});
 
 /// Returns `drawn` without the part of each pixel's error that the rounding of vertices can explain. `moved` has the
-/// same shot, drawn with each of vertex_moves. In each channel, `drawn` and `moved` span a range, which is widened by
-/// 1.5 times its length on either side: five samples of a random error span most of its distribution, and not all. A
+/// same shot, drawn with each of vertex_moves. In each channel, `drawn` and `moved` span a range, which is widened by a
+/// quarter of its length on either side: five samples of a random error span most of its distribution, and not all. A
 /// pixel becomes the value of the widened range that is nearest to the expected one. So a picture that does not depend
 /// on the rounding keeps all its errors. Directions (ErrorMetric::angle) keep their length. A pixel that has a surface
 /// in some drawings only becomes the expected one. NaN and not_written stay. Precondition: all have the same shape.
@@ -57,6 +57,8 @@ Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metr
 
 /// Returns `drawn` with the expected values in the `share` of its pixels whose errors are largest, for checks that
 /// limit the largest error. NaN and not_written stay, and so do surfaces in only one of both pictures.
-Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share);
+/// Pixels that are true in `stays` keep their errors; none if it is empty.
+Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share,
+                       const std::vector<bool>& stays = {});
 
 }  // namespace relief::check

@@ -598,14 +598,16 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected, 
 
 Advice LabChecker::advice() const {
     const auto& [lab, manifest, others, fingerprints, renderer, said, drawn] = *memory_;
+    const Exactness exactness = rasteriser_of(renderer.name) == Rasteriser::exact ? Exactness() : other_renderer;
     std::set<std::string> recognised;
-    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn, exactness))
+        recognised.insert(task);
     const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);
     Advice advice{first, hints(manifest, said, first), {}};
     Samples own = drawn;  // without the checks that wait: their pictures say nothing about their own task
     for (size_t i = 0; i < said.size(); ++i)
         if (!first[i].empty()) own.erase(i);
-    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own)) {
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own, exactness)) {
         std::vector<size_t> failed;
         for (size_t i = 0; i < said.size(); ++i)
             if (manifest.checks[i].task == task && has_failed(said[i].outcome) && first[i].empty()) failed.push_back(i);

@@ -124,14 +124,17 @@ void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) 
 
 /// Returns the sum of the likenesses of all drawn checks, or nothing if one of them does not match the mistake.
 std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
-                                    const Manifest& manifest, const std::vector<Judgement>& said,
-                                    const Samples& drawn) {
+                                    const Manifest& manifest, const std::vector<Judgement>& said, const Samples& drawn,
+                                    const Exactness& exactness) {
     Likeness sum;
     for (const auto& [check, sample] : mistake.draws) {
         if (!drawn.contains(check)) continue;
-        const Likeness one = likeness(drawn.at(check), sample, fingerprints.checks.at(check).solution,
-                                      bool(manifest.checks[check].shot.probe));
-        if (!is_like(one, said[check].outcome == Outcome::passed)) return {};
+        const Sample& solution = fingerprints.checks.at(check).solution;
+        const bool passed = said[check].outcome == Outcome::passed;
+        if (passed && !exactness.compares_passed && sample.is_drawn && sample.values == solution.values) continue;
+        const Likeness one =
+            likeness(drawn.at(check), sample, solution, bool(manifest.checks[check].shot.probe), exactness);
+        if (!is_like(one, passed, exactness)) return {};
         sum.differ += one.differ;
         sum.agree += one.agree;
     }
@@ -198,7 +201,7 @@ Sample sample_at(const Image& drawn, const std::string& error, const std::vector
 std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
                                                                   const Manifest& manifest,
                                                                   const std::vector<Judgement>& said,
-                                                                  const Samples& drawn) {
+                                                                  const Samples& drawn, const Exactness& exactness) {
     std::map<std::string, const Fingerprints::Mistake*> named;
     std::map<std::string, double> best;
     for (const auto& [check, sample] : drawn)
@@ -206,7 +209,7 @@ std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerpr
     for (const Fingerprints::Mistake& mistake : fingerprints.mistakes) {
         const auto share = best.find(mistake.task);
         if (share == best.end()) continue;
-        const auto like = likeness_of(fingerprints, mistake, manifest, said, drawn);
+        const auto like = likeness_of(fingerprints, mistake, manifest, said, drawn, exactness);
         if (!like || like->share() <= share->second) continue;
         share->second = like->share();
         named[mistake.task] = &mistake;

@@ -46,6 +46,7 @@ Sample sample_at(const Image& drawn, const std::string& error, const std::vector
 std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
                                                                   const Manifest& manifest,
                                                                   const std::vector<Judgement>& said,
-                                                                  const Samples& drawn);
+                                                                  const Samples& drawn,
+                                                                  const Exactness& exactness = {});
 
 }  // namespace relief::check

@@ -16,8 +16,8 @@ bool is_near(float a, float b, double tolerance) {
     return a == b || std::abs(double(a) - b) <= tolerance;
 }
 
-double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe) {
-    if (!is_probe) return 2.0 / 255 + 1e-6;
+double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe, const Exactness& exactness) {
+    if (!is_probe) return exactness.picture + 1e-6;
     double sum = 0;
     size_t count = 0;
     for (size_t i = 0; i < mistake.values.size(); ++i) {
@@ -26,22 +26,25 @@ double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe
         sum += error;
         ++count;
     }
-    return count > 0 ? 0.02 * sum / double(count) : 1e-6;
+    return count > 0 ? exactness.probe * sum / double(count) : 1e-6;
 }
 
-bool is_like(const Likeness& one, bool passed) { return one.differ == 0 ? passed : one.share() >= min_agreement; }
+bool is_like(const Likeness& one, bool passed, const Exactness& exactness) {
+    return one.differ == 0 ? passed : one.share() >= exactness.agreement;
+}
 
 std::string told(const std::string& hint, size_t failed_checks) {
     return failed_checks > 1 ? hint : "Perhaps: " + hint;
 }
 
-Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe) {
+Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
+                  const Exactness& exactness) {
     if (!drawn.is_drawn || !mistake.is_drawn) {
         const bool same = drawn.is_drawn == mistake.is_drawn && drawn.error == mistake.error;
         const size_t weight = std::min(error_weight, solution.values.size());
         return {.differ = weight, .agree = same ? weight : 0};
     }
-    const double tolerance = tolerance_of(mistake, solution, is_probe);
+    const double tolerance = tolerance_of(mistake, solution, is_probe, exactness);
     Likeness likeness;
     for (size_t i = 0; i < drawn.values.size(); ++i) {
         const float d = drawn.values[i], m = mistake.values[i], s = solution.values[i];

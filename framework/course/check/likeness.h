@@ -28,13 +28,24 @@ struct Likeness {
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
 };
 
-/// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ, such
-/// as a pixel at an edge with another driver.
-constexpr double min_agreement = 0.94;
+/// How exactly a drawing that shows a mistake repeats the mistake's own, see tolerance_of().
+struct Exactness {
+    double picture = 2.0 / 255;  ///< for a value of a picture
+    double probe = 0.02;         ///< for a value of a probe: share of the mistake's mean error
+    /// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ,
+    /// such as a pixel at an edge with another driver.
+    double agreement = 0.94;
+    /// Whether a check that passes must also repeat the solution's values where the mistake does not change them.
+    bool compares_passed = true;
+};
+/// For renderers that did not draw the fingerprints. With SwiftShader it names twice as many mistakes, and no more
+/// wrong ones.
+inline constexpr Exactness other_renderer{
+    .picture = 10.0 / 255, .probe = 0.1, .agreement = 0.7, .compares_passed = false};
 
 /// Returns whether a check's picture matches the mistake's. If neither picture differs from the solution's, they match
 /// only if the check passed.
-bool is_like(const Likeness& one, bool passed);
+bool is_like(const Likeness& one, bool passed, const Exactness& exactness = {});
 
 /// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because
 /// other mistakes may fail that check in the same way.
@@ -43,12 +54,13 @@ std::string told(const std::string& hint, size_t failed_checks);
 /// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture, two steps of 8
 /// bits. For a probe, 2 % of the mistake's mean error where it differs from the solution: that works in any unit, and
 /// other mistakes differ by more.
-double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe);
+double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe, const Exactness& exactness = {});
 
 /// Returns whether two values differ by at most `tolerance`. Two NaNs are near each other, and so are two equal
 /// infinities.
 bool is_near(float a, float b, double tolerance);
 
-Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe);
+Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
+                  const Exactness& exactness = {});
 
 }  // namespace relief::check

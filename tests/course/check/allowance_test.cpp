@@ -103,19 +103,33 @@ TEST(Allowance, DependsOnTheRenderer) {
 
 TEST(Allowance, WhatMovesWithTheVerticesIsAllowedOnBothSides) {
     const auto flat = [](double value) { return picture([=](int, int) { return value; }); };
-    const std::vector<Image> moved = {flat(5), flat(6)};  // the range is 1, and 1.5 more on either side
+    const std::vector<Image> moved = {flat(5), flat(6)};  // the range is 1, and a quarter more on either side
     const auto left = [&](double expected) {
         return *without_rounding(flat(5.5), moved, flat(expected), ErrorMetric::absolute).pixel(5, 5);
     };
-    EXPECT_EQ(left(3.5), 3.5f);
-    EXPECT_EQ(left(7.5), 7.5f);
-    EXPECT_EQ(left(3), 3.5f);
-    EXPECT_EQ(left(9), 7.5f);
+    EXPECT_EQ(left(4.75), 4.75f);
+    EXPECT_EQ(left(6.25), 6.25f);
+    EXPECT_EQ(left(3), 4.75f);
+    EXPECT_EQ(left(9), 6.25f);
     CheckInfo check;
-    EXPECT_EQ(with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, flat(5.5), flat(7.5), moved).values,
-              flat(7.5).values);
+    EXPECT_EQ(with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, flat(5.5), flat(6.25), moved).values,
+              flat(6.25).values);
     EXPECT_EQ(with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, flat(5.5), flat(7.5), moved).values,
               with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, flat(5.5), flat(7.5)).values);
+}
+
+TEST(Allowance, AProbesOutlierMovesWithTheVertices) {
+    const Image expected = picture([](int, int) { return 0; });
+    const auto spot = [](double value) { return picture([=](int x, int y) { return x == 5 && y == 5 ? value : 0; }); };
+    const auto left = [&](const CheckInfo& check, const Image& moved) {
+        return *with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, spot(9), expected, {moved})
+                    .pixel(5, 5);
+    };
+    CheckInfo of_picture, of_probe;
+    of_probe.shot.probe.name = "height";
+    EXPECT_EQ(left(of_probe, spot(9)), 9);
+    EXPECT_EQ(left(of_probe, spot(8)), 0);
+    EXPECT_EQ(left(of_picture, spot(9)), 0) << "the filters of another renderer also change what does not move";
 }
 
 TEST(Allowance, WhatStaysWhenVerticesMoveKeepsItsError) {
@@ -142,6 +156,8 @@ TEST(Allowance, ADirectionThatMovesKeepsItsLength) {
     const Image left = without_rounding(leaning(0.6f, 2), {leaning(0.5f, 3)}, leaning(0.55f, 1), ErrorMetric::angle);
     EXPECT_FLOAT_EQ(left.values[0], 2 * 0.55f);
     EXPECT_FLOAT_EQ(left.values[2], 2 * std::sqrt(1 - 0.55f * 0.55f));
+    const Image longer = leaning(0.6f, 3), drawn = leaning(0.6f, 2);
+    EXPECT_NEAR(without_rounding(drawn, {longer}, leaning(0.55f, 1), ErrorMetric::angle).values[0], 1.2f, 1e-6f);
 }
 
 TEST(Allowance, ValuesThatAreNoNumbersStayWhenVerticesMove) {

@@ -42,9 +42,10 @@ Fingerprints fingerprints() { return parse_fingerprints(text, "f.toml", manifest
 
 Sample drawn(std::vector<float> values) { return {.values = std::move(values), .error = {}, .is_drawn = true}; }
 
-std::string named(const std::vector<Judgement>& said, const Samples& samples, const std::string& task = "1.1") {
+std::string named(const std::vector<Judgement>& said, const Samples& samples, const std::string& task = "1.1",
+                  const Exactness& exactness = {}) {
     const Fingerprints known = fingerprints();
-    const auto names = name_mistakes(known, manifest(), said, samples);
+    const auto names = name_mistakes(known, manifest(), said, samples, exactness);
     return names.contains(task) ? names.at(task)->hint : "";
 }
 
@@ -62,6 +63,19 @@ TEST(Fingerprints, NameTheMistakeThatMatchesAllFailedChecks) {
     EXPECT_EQ(named({right, right, {Outcome::broken, "no number"}}, {{2, {.error = "no number"}}}, "1.2"), "");
 }
 
+TEST(Fingerprints, AnotherRendererMayBeOffByATenthOfTheMistake) {
+    const auto off_by = [](float error, const Exactness& exactness) {
+        return named({wrong, right, right}, {{0, drawn({-1 + error, -2, -3 - error})}, {1, drawn({4.1f, inf})}}, "1.1",
+                     exactness);
+    };
+    EXPECT_EQ(off_by(0.3f, {}), "");
+    EXPECT_EQ(off_by(0.3f, other_renderer), "a \"sign\"") << "the mean error is 4, and 'far' passes with the mistake";
+    EXPECT_EQ(off_by(0.5f, other_renderer), "");
+    EXPECT_EQ(named({wrong, right, right}, {{0, drawn({0.5f, 2, 1.5f})}, {1, drawn({4, inf})}}, "1.1", other_renderer),
+              "")
+        << "with the mistake 'far' fails";
+}
+
 // An unlisted mistake may fail one check in the same way as a listed mistake.
 TEST(Fingerprints, NameNoMistakeThatAPassedCheckContradicts) {
     const Sample half = drawn({0.5f, 2, 1.5f});
@@ -77,6 +91,8 @@ TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
 TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
     EXPECT_TRUE(is_like({.differ = 24, .agree = 23}, false));
     EXPECT_FALSE(is_like({.differ = 24, .agree = 22}, false));
+    EXPECT_TRUE(is_like({.differ = 24, .agree = 17}, false, other_renderer));
+    EXPECT_FALSE(is_like({.differ = 24, .agree = 16}, false, other_renderer));
     EXPECT_FALSE(is_like({.differ = 3, .agree = 2}, true));
     EXPECT_TRUE(is_like({.differ = 0, .agree = 0}, true)) << "it passes, with the mistake, too";
     EXPECT_FALSE(is_like({.differ = 0, .agree = 0}, false)) << "it fails where the mistake does not show";
