@@ -18,8 +18,10 @@ using Names = std::vector<std::string>;
 
 constexpr const char* lab_10 = "10_parallax_offset";
 
+const Circumstances no_display{{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
+
 /// One copy of the course and one site for all tests, made without a display. It has a deck of lab 01 and a page of
-/// measurements.
+/// measurements. With a sample of labs, the site has these, and those that a test opens.
 class Site : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -34,7 +36,15 @@ protected:
         fs::copy(course_->path() / "labs/01_specular_highlights/golden/wipe.png",
                  build / "slides/01_specular_highlights/one.png");
         course_->overwrite("build/bench/index.html", "<!doctype html><html lang=en><title>Times</title>");
-        made_ = course_->relief({}, {{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});
+        std::string numbers;
+        for (const std::string& lab : files_in(course_->path() / "labs")) {
+            const std::string number = lab.substr(0, 2);
+            if (!fs::exists(course_->path() / "labs" / lab / "lab.toml")) continue;
+            if (!is_in_sample(number) && number != "01" && number != "10" && number != "17") continue;
+            numbers += (numbers.empty() ? "" : ",") + number, labs_.push_back(lab);
+        }
+        std::sort(labs_.begin(), labs_.end());
+        made_ = course_->relief({"gallery", "--labs", numbers}, no_display);
     }
     static void TearDownTestSuite() { course_.reset(); }
 
@@ -42,17 +52,12 @@ protected:
     static Manifest manifest(const std::string& lab) {
         return load_manifest(course_->path() / "labs" / lab / "lab.toml");
     }
-    static Names labs() {
-        Names all;
-        for (const std::string& name : files_in(course_->path() / "labs"))
-            if (fs::exists(course_->path() / "labs" / name / "lab.toml")) all.push_back(name);
-        std::sort(all.begin(), all.end());
-        return all;
-    }
+    static const Names& labs() { return labs_; }
     static void open(const std::string& page) { browser().open(site() / page); }
 
     static inline std::unique_ptr<CourseCopy> course_;
     static inline Result made_;
+    static inline Names labs_;
 };
 
 constexpr const char* wider_than_the_screen =
@@ -67,7 +72,16 @@ constexpr const char* scrolls =
 constexpr const char* clipped_formulas =
     "[...document.querySelectorAll('.formulas')].filter(one => one.scrollWidth > one.clientWidth).length";
 
-TEST_F(Site, WithoutADisplayTheMenuIsTheGallery) {
+// A file in the place of its folder stops it before it draws.
+TEST(Menu, WithoutADisplayIsTheGallery) {
+    const CourseCopy course;
+    course.overwrite("build", "");
+    const Result menu = course.relief({}, no_display);
+    EXPECT_EQ(menu.code, 1);
+    EXPECT_TRUE(contains(menu.err, "build/gallery: cannot make this folder")) << menu.err;
+}
+
+TEST_F(Site, IsMadeOfOneFolderALab) {
     EXPECT_EQ(made_.code, 0) << made_.err;
     EXPECT_EQ(made_.out, (site() / "index.html").string() + "\n");
     EXPECT_FALSE(contains(made_.err, "has no slides")) << "lab 01 has some";
@@ -264,7 +278,7 @@ TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
         EXPECT_EQ(rounded(std::stod(result.out.substr(mean + 5))), number) << command;
         ++measured;
     }
-    EXPECT_GE(measured, 10);
+    EXPECT_GT(2 * measured, int(labs().size()));
 }
 
 TEST_F(Site, AxeFindsNothingOnAPageOfEachKind) {

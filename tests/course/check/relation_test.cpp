@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = 96, height = 72;
 const Quantity normal{.name = "normal", .error = ErrorMetric::angle},
-    depth{.name = "depth", .error = ErrorMetric::absolute}, uv{.name = "uv"}, slope{.name = "slope"}, color{};
+    depth{.name = "depth", .error = ErrorMetric::absolute}, uv{.name = "uv"}, slope{.name = "slope"}, unnamed{};
 
 /// Draws a picture from coordinates in [-1, 1].
 Image painted(int channels, const std::function<std::vector<double>(double x, double y)>& color) {
@@ -228,7 +228,7 @@ TEST(Relation, AcceptsAnyValuesAndShapes) {
         (void)said(normals(), changed(normals(), [&](float* n) { n[0] = n[1] = n[2] = bad; }), normal);
     }
     EXPECT_EQ(said(Image(3, 3, 3), right, depth), "") << "another shape";
-    EXPECT_EQ(said(Image(), Image(), color), "");
+    EXPECT_EQ(said(Image(), Image(), unnamed), "");
 }
 
 }  // namespace
