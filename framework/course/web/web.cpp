@@ -8,6 +8,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/missing_files.h"
+#include "framework/core/base/own_file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
@@ -90,6 +91,12 @@ public:
         json& knob = add(name, "choice", help);
         knob["value"] = names[size_t(value)];
         for (const char* each : names) knob["names"].push_back(each);
+    }
+
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const char* help) override {
+        Knobs::choice_or_file(name, value, own, names, help);
+        all.back()["takes"] = own.kind();
     }
 
 private:

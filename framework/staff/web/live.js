@@ -188,14 +188,65 @@ const tell_pixel = async (right, down) => {
 
 // --- Knobs -----------------------------------------------------------------------------------------------------------
 
+// Files of the student's own, in memory only: the bytes by their path in the module.
+const own_files = new Map();
+const own_path = name => "/own/" + name;
+const is_own = knob => knob.takes && own_files.has(own_path(knob.value));
+
+const put_own = (path, bytes) => {
+  relief.FS.mkdirTree("/own");
+  relief.FS.writeFile(path, bytes);
+  own_files.set(path, bytes);
+};
+// The module reads PNG only; the browser decodes all else.
+const png_of = async file => {
+  const picture = await createImageBitmap(file).catch(() => { throw new Error(`${file.name}: this browser cannot read the picture`); });
+  const canvas = make("canvas", {width: picture.width, height: picture.height});
+  canvas.getContext("2d").drawImage(picture, 0, 0);
+  return new Promise(done => canvas.toBlob(done, "image/png"));
+};
+const open_own = async (knob, files) => {
+  try {
+    const names = [];
+    for (const file of files) {
+      if (!file.size) throw new Error(`${file.name} is empty`);
+      const is_png = !file.type.startsWith("image/") || file.type === "image/png";
+      names.push(is_png ? file.name : file.name.replace(/\.[^.]*$/, "") + ".png");
+      put_own(own_path(names.at(-1)), new Uint8Array(await (is_png ? file : await png_of(file)).arrayBuffer()));
+    }
+    // A model's material file and pictures may come with it.
+    const name = knob.takes.includes("OBJ") ? names.find(each => /\.obj$/i.test(each)) ?? names[0] : names[0];
+    await set_knob(knob.name, own_path(name));
+    remember();
+  } catch (error) {
+    complain(error);
+    has_failed = true;
+  }
+};
+const opener_of = knob => {
+  const input = make("input", {type: "file", hidden: true, multiple: knob.takes.includes("OBJ"),
+                               accept: knob.takes.includes("OBJ") ? ".obj,.mtl,.png" : "image/*"});
+  input.setAttribute("aria-label", knob.takes);
+  input.onchange = async () => { await open_own(knob, [...input.files]); input.value = ""; };
+  const button = make("button", {type: "button", textContent: "Open …", title: `open ${knob.takes} of your own: it stays in this browser`,
+                                 onclick: () => input.click()});
+  button.setAttribute("aria-label", `Open ${knob.takes} for ${knob.name.replaceAll("_", " ")}`);
+  return make("span", {}, button, input);
+};
+const show_choices = (control, names) => {
+  if (names.length === control.length && names.every((name, i) => control.options[i].value === name)) return;
+  control.replaceChildren(...names.map(name => make("option", {value: name, textContent: name})));
+};
+
 const show_knobs = () => {
   for (const knob of lab.knobs) {
     const control = $("knobs").elements["knob-" + knob.name], told = $("told-" + knob.name);
+    if (knob.kind === "choice") show_choices(control, knob.names);
     control.closest(".knobs").querySelector(`label[for="knob-${knob.name}"]`).classList.toggle("ignored", knob.ignored);
     if (knob.kind === "toggle") control.checked = knob.value === "on";
     else control.value = knob.value;
     const unit = knob.unit.startsWith("degree") ? "°" : knob.unit ? " " + knob.unit : "";
-    told.textContent = knob.kind === "slider" || knob.kind === "steps" ? knob.value + unit : "";
+    if (told) told.textContent = knob.kind === "slider" || knob.kind === "steps" ? knob.value + unit : "";
   }
 };
 const set_knob = async (name, value) => {
@@ -214,7 +265,7 @@ const make_knobs = () => {
     if (knob.group) $("knobs").append(make("h2", {textContent: knob.group}));
     let control;
     if (knob.kind === "choice") {
-      control = make("select", {}, ...knob.names.map(name => make("option", {value: name, textContent: name})));
+      control = make("select");
     } else if (knob.kind === "toggle") {
       control = make("input", {type: "checkbox"});
     } else {
@@ -224,12 +275,13 @@ const make_knobs = () => {
     Object.assign(control, {id, name: id, title: knob.help, autocomplete: "off"});
     control.addEventListener("input", async () => {
       const value = knob.kind === "toggle" ? (control.checked ? "on" : "off")
-                  : knob.kind === "slider" ? Number(Number(control.value).toPrecision(4)) : control.value;
+                  : knob.kind === "slider" ? Number(Number(control.value).toPrecision(4))
+                  : knob.takes && own_files.has(own_path(control.value)) ? own_path(control.value) : control.value;
       await set_knob(knob.name, value);
       remember();
     });
     $("knobs").append(make("label", {htmlFor: id, textContent: knob.name.replaceAll("_", " "), title: knob.help}),
-                      control, make("span", {id: "told-" + knob.name}));
+                      control, knob.takes ? opener_of(knob) : make("span", {id: "told-" + knob.name}));
   }
   $("knobs").addEventListener("submit", event => event.preventDefault());
   show_knobs();
@@ -238,7 +290,7 @@ const make_knobs = () => {
 // The address has what differs from the opening view: #view=one&steps=8&camera=30,20,3&probe=normal
 let defaults;
 const remember = () => {
-  const parts = lab.knobs.filter(knob => knob.value !== defaults.get(knob.name))
+  const parts = lab.knobs.filter(knob => knob.value !== defaults.get(knob.name) && !is_own(knob))
     .map(knob => `${knob.name}=${encodeURIComponent(knob.value)}`);
   if (camera_text(camera) !== camera_text(home)) parts.push("camera=" + camera_text(camera));
   if ($("probe").value) parts.push("probe=" + $("probe").value);
@@ -478,12 +530,14 @@ const survive_a_lost_context = () => {
     event.preventDefault();
     status("the graphics driver was reset: starting again …");
     ++checking;
-    const text = editor.text(), values = lab.knobs.map(knob => [knob.name, knob.value]), at = camera;
+    const text = editor.text(), at = camera;
+    const values = lab.knobs.map(knob => [knob.name, is_own(knob) ? own_path(knob.value) : knob.value]);
     $("canvas").replaceWith($("canvas").cloneNode());
     fetched.clear();
     last_call = Promise.resolve();
     await start();
     put(site.task, new TextEncoder().encode(text));
+    for (const [path, bytes] of own_files) put_own(path, bytes);
     camera = at;
     listen_to_view();
     survive_a_lost_context();

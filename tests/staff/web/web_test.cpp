@@ -73,6 +73,27 @@ protected:
         browser_->eval("editor.replace(" + json(text).dump() + ")");
         browser_->wait_for("(window.checked ?? 0) > " + std::to_string(before));
     }
+    /// Opens a file as a knob's picture, as its button does. Without a text, the file is a picture that the browser
+    /// makes.
+    static void open_own(const std::string& text, const std::string& name, const std::string& type) {
+        browser_->eval("window.own = " + json({{"text", text}, {"name", name}, {"type", type}}).dump());
+        browser_->eval(R"js((() => {
+            const give = bytes => {
+                const files = new DataTransfer(), input = document.querySelector("#knobs input[type=file]:not([multiple])");
+                files.items.add(new File([bytes], own.name, {type: own.type}));
+                input.files = files.files;
+                input.dispatchEvent(new Event("change"));
+            };
+            if (own.text) return give(own.text);
+            const canvas = make("canvas", {width: 64, height: 64});
+            canvas.getContext("2d").fillRect(0, 0, 32, 64);
+            canvas.toBlob(give, own.type);
+        })())js");
+    }
+    /// Returns the value of the first knob that takes a picture.
+    static std::string own_value() {
+        return browser_->eval("lab.knobs.find(knob => knob.takes && !knob.takes.includes('OBJ')).value");
+    }
     static void expect_no_complaint(const std::string& where) {
         for (const std::string& complaint : browser_->complaints()) ADD_FAILURE() << where << ": " << complaint;
         for (const std::string& address : browser_->requests())
@@ -203,15 +224,23 @@ TEST_F(Web, ATextAndAViewSurviveAReload) {
     EXPECT_EQ(browser_->eval("kept()"), json());
 }
 
-TEST_F(Web, ALostContextStartsAgain) {
+TEST_F(Web, AnOwnPictureAndTheTextSurviveALostContext) {
     const LabEntry& lab = find_lab("10");
     open(lab);
     write_and_check(solution(lab));
     browser_->eval("set_knob('steps', 9)");
     browser_->wait_for("lab.knobs.find(knob => knob.name === 'steps').value === '9'");
+    open_own("not a picture", "none.png", "image/png");
+    browser_->wait_for("!$('problem').hidden");
+    EXPECT_EQ(text_of("#problem"), "/own/none.png: neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
+    EXPECT_EQ(own_value(), "wall");
+    open_own("", "mine.jpg", "image/jpeg");
+    browser_->wait_for("$('problem').hidden && lab.knobs.some(knob => knob.value === 'mine.png')");
+    EXPECT_EQ(browser_->eval("location.hash.includes('mine')"), false);  // a link cannot have it
     browser_->eval("$('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
     browser_->wait_for("$('status').textContent === 'restarted'");
     EXPECT_EQ(browser_->eval("lab.knobs.find(knob => knob.name === 'steps').value"), "9");
+    EXPECT_EQ(own_value(), "mine.png");
     EXPECT_EQ(browser_->eval("editor.text()"), solution(lab));
     browser_->eval("$('check').click()");
     browser_->wait_for("$('status').textContent.startsWith('checked')");
