@@ -104,7 +104,7 @@ private:
 std::vector<TessellationLevels> many_levels() {
     std::vector<TessellationLevels> all;
     const auto same = [&](float level) { all.push_back({{level, level, level, level}, {level, level}}); };
-    for (int quarter = 1; quarter <= 4 * 66; ++quarter) same(float(quarter) / 4);
+    for (int quarter = 1; quarter <= 4 * 66; quarter += tests_all() ? 1 : 7) same(float(quarter) / 4);
     for (const float level : {1e-30f, 0.999f, 1.0f, 1.000001f, 1.00001f, 1.0001f, 2.00001f, 2.9999f, 3.0001f, 62.99f,
                               63.01f, 63.99f, 64.0f, 64.01f, 1e30f, INFINITY})
         same(level);
@@ -114,7 +114,7 @@ std::vector<TessellationLevels> many_levels() {
         state = state * 1664525u + 1013904223u;
         return 0.7f + (highest - 0.7f) * float(state >> 8) / float(1 << 24);
     };
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < (tests_all() ? 400 : 80); ++i) {
         const float highest = i % 4 == 0 ? 66 : i % 4 == 1 ? 16 : i % 4 == 2 ? 4.5f : 1.6f;
         TessellationLevels levels;
         for (float& level : levels.outer) level = random(highest);
