@@ -29,6 +29,7 @@ struct MissingFunction {
 ///   another cell than the real function, as GPUs round it to 8 bits.
 /// - textureQueryLod, of a sampler2D, for an isotropic filter: log2 of the longer of both derivatives, in texels.
 /// - findMSB and bitCount, exactly.
+/// - fma, of floats and their vectors, rounded twice.
 const std::vector<MissingFunction>& missing_functions();
 
 /// Explains a compiler's messages about implicit conversions, which GLSL 4.10 has and ES lacks: adds "in a browser,
