@@ -126,6 +126,12 @@ const std::vector<MissingFunction>& missing_functions() {
          "}\n"
          "int findMSB(int number) { return findMSB(uint(number < 0 ? ~number : number)); }\n",
          false},
+        {"fma",
+         "float fma(float a, float b, float c) { return a * b + c; }\n"
+         "vec2 fma(vec2 a, vec2 b, vec2 c) { return a * b + c; }\n"
+         "vec3 fma(vec3 a, vec3 b, vec3 c) { return a * b + c; }\n"
+         "vec4 fma(vec4 a, vec4 b, vec4 c) { return a * b + c; }\n",
+         false},
         {"bitCount",
          "int bitCount(uint bits) {\n"
          "    int found = 0;\n"

@@ -30,6 +30,7 @@ struct MissingFunction {
 /// - textureQueryLod, of a sampler2D, for an isotropic filter: log2 of the longer of both derivatives, in texels. The
 ///   logarithm is Mesa's: linear between powers of two, at most 0.043 too small. It drew the expected pictures.
 /// - findMSB and bitCount, exactly.
+/// - fma, of floats and their vectors, rounded twice.
 const std::vector<MissingFunction>& missing_functions();
 
 /// Explains a compiler's messages about implicit conversions, which GLSL 4.10 has and ES lacks: adds "in a browser,

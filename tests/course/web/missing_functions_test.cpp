@@ -74,6 +74,21 @@ TEST(MissingFunctions, BitsAreTheSame) {
     }
 }
 
+TEST(MissingFunctions, AMultiplicationIsAddedInEveryWidth) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("fma.glsl", emulation("fma")).string();
+    const std::vector<GlslInput> inputs = {{glm::vec4(1, 2, -3, 0.5f)}, {glm::vec4(7, -1, 0, 4)}};
+    const auto all_widths = [](const std::string& name) {
+        return std::vector<std::string>{name + "(a, a.yzwx, a.wzyx)", "vec4(" + name + "(a.xyz, a.yzw, a.wzy), 0.0)",
+                                        "vec4(" + name + "(a.xy, a.yz, a.wz), 0.0, 0.0)",
+                                        "vec4(" + name + "(a.x, a.y, a.z))"};
+    };
+    for (size_t i = 0; i < 4; ++i) {
+        const std::string real = all_widths("fma")[i], ours = all_widths("emulated")[i];
+        EXPECT_EQ(differing(evaluate_glsl(file, real, inputs), evaluate_glsl(file, ours, inputs)), 0) << real;
+    }
+}
+
 // The real function's formula is up to the driver. Mesa's llvmpipe drew the expected pictures.
 TEST(MissingFunctions, ALevelIsThatOfLlvmpipe) {
     const Texture map("numbers", [] { return Image(64, 64, 1); }, {.mips = true});
