@@ -8,6 +8,8 @@
 #include <set>
 
 #include "framework/core/gl/object.h"
+#include "framework/core/gl/target.h"
+#include "tests/support.h"
 
 namespace relief::web {
 namespace {
@@ -60,6 +62,7 @@ public:
         const BufferName buffer;
         const VertexArrayName none;
         const QueryName written;
+        glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer());  // a context may have none of its own
         glUseProgram(program_);
         glUniform1fv(glGetUniformLocation(program_, "u_outer"), 4, levels.outer.data());
         glUniform1fv(glGetUniformLocation(program_, "u_inner"), 2, levels.inner.data());
@@ -99,6 +102,7 @@ private:
     }
 
     ProgramName program_;
+    Target target_{TargetKind::probe, {1, 1}};
 };
 
 std::vector<TessellationLevels> many_levels() {
