@@ -51,9 +51,9 @@ bool is_like(const Likeness& one, bool passed, const Exactness& exactness = {});
 /// other mistakes may fail that check in the same way.
 std::string told(const std::string& hint, size_t failed_checks);
 
-/// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture, two steps of 8
-/// bits. For a probe, 2 % of the mistake's mean error where it differs from the solution: that works in any unit, and
-/// other mistakes differ by more.
+/// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture,
+/// `exactness.picture`. For a probe, the share `exactness.probe` of the mistake's mean error where it differs from the
+/// solution: that works in any unit. By the default share, other mistakes differ by more.
 double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe, const Exactness& exactness = {});
 
 /// Returns whether two values differ by at most `tolerance`. Two NaNs are near each other, and so are two equal
