@@ -18,6 +18,9 @@ function(relief_add_labs folder)
     if(NOT RELIEF_STUDENTS_HALF)
       file(GLOB exact_values CONFIGURE_DEPENDS ${lab_folder}/staff/*.cpp)
       list(APPEND sources ${exact_values})
+      # The grader links a student's C++ task with the other objects of its lab.
+      file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/lab_objects/${name}
+        CONTENT "$<JOIN:$<TARGET_OBJECTS:lab_objects_${number}>,\n>")
     endif()
     if(TARGET lab_objects_${number})
       message(FATAL_ERROR "two labs have the number ${number}: labs/${name} is the second")

@@ -65,8 +65,8 @@ public:
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
     /// Compiles the C++ tasks of a course into a program, and sets the course's program to it. Does nothing if the lab
-    /// has no C++ tasks. `ending` is `failed` if the machine could not run the compiler. `cpu`, `wall`: limits in
-    /// seconds.
+    /// has no C++ tasks. A program that contains only starters and solutions is compiled once a run. `ending` is
+    /// `failed` if the machine could not run the compiler. `cpu`, `wall`: limits in seconds.
     Compiled compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const;
 
     /// Returns the SHA-256 of everything except the submission that decides a mark.
@@ -76,6 +76,7 @@ private:
     struct LabPart {
         CourseFiles shaders;                         ///< with starters in place of the tasks
         CourseFiles sources;                         ///< C++ tasks' starters
+        CourseFiles solutions;                       ///< of the C++ tasks
         std::vector<std::filesystem::path> objects;  ///< of the lab's other sources
         std::vector<std::filesystem::path> readable;
     };
@@ -83,6 +84,7 @@ private:
     void copy_assets();
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part);
+    std::filesystem::path program_of_ours(const LabEntry& lab, const StagedCourse& course) const;
     std::vector<std::string> compiler(const LabEntry& lab) const;
     ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double cpu, double wall) const;
     void must(const std::vector<std::string>& command, const char* what) const;

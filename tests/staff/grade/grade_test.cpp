@@ -63,10 +63,7 @@ std::string replaced(std::string text, const std::string& find, const std::strin
 std::string cpp_that(const std::string& lines, const std::string& top = "") {
     const std::string text = replaced(course_file(cpp), "    const auto& p = triangle.position;\n",
                                       lines + "\n    const auto& p = triangle.position;\n");
-    return "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n#include <csignal>\n#include "
-           "<fstream>\n#include <string>\n"
-           "#include <sys/socket.h>\n#include <unistd.h>\n" +
-           top + text;
+    return "#include <cstdio>\n#include <cstdlib>\n#include <unistd.h>\n" + top + text;
 }
 
 json result_of(const fs::path& output, const std::string& name) {
@@ -136,7 +133,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     folder.write("flat/task.glsl", solution);
     folder.write("damaged.zip", "PK\x03\x04 no more");
     for (const char* name : {"nothing", "flat", "damaged.zip"}) words.push_back((folder.path() / name).string());
-    words.insert(words.end(), {"-o", output.string(), "--seconds", "8"});
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "3"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
 
@@ -305,8 +302,9 @@ static const int before = [] {
         works["bombs"] = cpp_that("for (;;) fork();");
         works["reads"] =
             cpp_that("std::ifstream file(\"" + secret.string() +
-                     "\"); std::string text; std::getline(file, text); throw std::runtime_error(\"read \" + text "
-                     "+ (socket(AF_INET, SOCK_STREAM, 0) < 0 || system(\"ls / /tmp\") < 0 ? \"\" : \".\"));");
+                         "\"); std::string text; std::getline(file, text); throw std::runtime_error(\"read \" + text "
+                         "+ (socket(AF_INET, SOCK_STREAM, 0) < 0 || system(\"ls / /tmp\") < 0 ? \"\" : \".\"));",
+                     "#include <sys/socket.h>\n#include <fstream>\n#include <string>\n");
         works["refers"] = cpp_that("relief::generate_tangents_of_the_course();",
                                    "namespace relief { void generate_tangents_of_the_course(); }\n");
     }
@@ -316,7 +314,7 @@ static const int before = [] {
         words.push_back((folder.path() / name).string());
     }
     // The compiler gets three times as long, enough for honest code.
-    words.insert(words.end(), {"-o", output.string(), "--seconds", "4"});
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "2"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
     const auto of = [&](const std::string& name) { return outcomes(result_of(output, name), "5.2"); };
