@@ -15,7 +15,6 @@ add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 set(RELIEF_MAIN ${PROJECT_SOURCE_DIR}/framework/course/web/web.cpp)
 relief_add_labs(${PROJECT_SOURCE_DIR}/labs)
-relief_in_batches(${RELIEF_LABS})  # nobody repeats this build after each line
 target_link_libraries(relief PRIVATE nlohmann_json::nlohmann_json PNG::PNG tinyobjloader::tinyobjloader)
 # The JavaScript around the module evaluates no text, so that a page can forbid it.
 target_link_options(relief PRIVATE --no-entry -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2

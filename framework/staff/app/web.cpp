@@ -8,6 +8,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/gallery.h"
 #include "framework/staff/app/tool.h"
@@ -55,17 +56,21 @@ fs::path bundle_editor() {
     return bundle;
 }
 
-int make_site(const fs::path& folder, bool quick) {
-    const fs::path course = course_root() / "build" / "web-course";
+/// `labs`: see find_labs(); empty: all.
+int make_site(const fs::path& folder, const std::string& labs, bool quick) {
+    std::string name = "web-course";  // each choice of labs is a module of its own
+    if (!labs.empty())
+        for (const LabEntry* lab : find_labs(labs)) name += '-' + lab->two_digits();
+    const fs::path course = course_root() / "build" / name;
     make_folder(folder);
     pin_software_renderer();
     const auto context = open_context(std::nullopt);
     print_note("making the students' course");
-    handout::write_handout(course);
+    handout::write_handout(course, labs.empty() ? std::optional<std::string>() : std::optional(labs));
     const fs::path module = compile(course, quick);
     const fs::path editor = bundle_editor();
     print_note("drawing the site's pictures");
-    if (const int code = make_gallery({.folder = folder, .is_live = true})) return code;
+    if (const int code = make_gallery({.folder = folder, .labs = labs, .is_live = true})) return code;
     web::write_live_pages({.course = course, .module = module, .editor = editor, .folder = folder});
     fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
     return 0;
@@ -83,6 +88,7 @@ class WebCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.value("-o", "FOLDER", output_, "folder for the site [the course's build/site-web]");
+        options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
         options.flag("--quick", quick_, "compile in half of the time, for a first look: the labs react more slowly");
         options.flag("--serve", serve_, "then serve it to this machine's browser");
         options.value("--port", "NUMBER", port_, "of the server [8000]");
@@ -92,12 +98,12 @@ public:
         if (!port || *port < 1 || *port > 65535)
             throw UsageError("--port takes a number from 1 to 65535, not '" + port_ + "'");
         const fs::path folder = output_.empty() ? course_root() / "build" / "site-web" : fs::path(output_);
-        const int code = make_site(folder, quick_);
+        const int code = make_site(folder, labs_, quick_);
         return code == 0 && serve_ ? serve(folder, port_) : code;
     }
 
 private:
-    std::string output_;
+    std::string output_, labs_;
     bool quick_ = false, serve_ = false;
     std::string port_ = "8000";
 };

@@ -259,12 +259,13 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
     compile(precompiled, (include / precompiled).string() + ".gch", {"-x", "c++-header"});
     part.objects.push_back(here / "main.o");
     compile("main.cpp", part.objects.back(), {"-include", (include / precompiled).string()});
-    // The lab's other sources are compiled already, in the build that made this program.
+    // The lab's other sources are compiled already, in the build that made this program. Task files and the staff's are
+    // objects of their own there.
     for (const std::string& object : split(read_file(build / "generated/lab_objects" / lab.folder), '\n')) {
-        const std::string source = object.substr(object.find("/labs/" + lab.folder + "/") + 1);
-        const std::string file = source.substr(0, source.rfind('.'));
-        if (part.sources.contains(file) || is_the_staffs(file)) continue;
-        part.objects.push_back(here / (fs::path(file).stem().string() + ".o"));
+        const size_t begin = object.rfind("labs/" + lab.folder + "/");
+        const std::string source = begin == object.npos ? "" : object.substr(begin, object.rfind('.') - begin);
+        if (part.sources.contains(source) || is_the_staffs(source)) continue;
+        part.objects.push_back(here / fs::path(object).filename());
         fs::copy_file(object, part.objects.back());
     }
 

@@ -51,7 +51,8 @@ bool is_fetched_first(const std::string& file) {
 class Pages {
 public:
     explicit Pages(const LiveSite& site) : site_(site) {
-        for (const LabEntry& lab : registry()) labs_.push_back(&lab);
+        for (const LabEntry& lab : registry())
+            if (fs::exists(site.course / "labs" / lab.folder)) labs_.push_back(&lab);
     }
 
     void write() {
