@@ -1,6 +1,7 @@
 // Lab 13: tessellation converges to the exact surface, reads the expected mip level and has the exact normals, at any
 // distance from the origin. Every pixel is finite.
 #include "framework/core/kit/displaced_surface.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/patches.h"
 #include "tests/labs/feedback.h"
 #include "tests/labs/shots.h"
@@ -239,10 +240,6 @@ TEST(Displacement, IsUnchangedAMillionMetresAway) {
         // Nine of the camera's sixteen decimal digits are before the point. The float result keeps seven.
         EXPECT_LT(largest, 1e-4f) << probe;
     }
-}
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
 /// Returns the normal of the surface to which all levels converge. Uses central differences of four positions at a

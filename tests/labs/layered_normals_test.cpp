@@ -4,6 +4,7 @@
 #include <random>
 
 #include "framework/core/gl/counters.h"
+#include "framework/staff/reference/degrees.h"
 #include "labs/19_layered_normals/layers.h"
 #include "labs/19_layered_normals/scene.h"
 #include "labs/19_layered_normals/staff/exact.h"
@@ -14,10 +15,6 @@ namespace relief {
 namespace {
 
 using namespace layered_normals;
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 double between(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution(low, high)(random);

@@ -6,6 +6,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/image/bc1.h"
 #include "framework/core/kit/labels.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/rgtc.h"
 #include "labs/02_normal_map_storage/blocks.h"
 #include "labs/02_normal_map_storage/maps.h"
@@ -90,7 +91,7 @@ Degrees error_in_degrees(const Image& normals, const Image& stored, bool has_z) 
         const float *n = &normals.values[i * 3], *s = &stored.values[i * size_t(stored.channels)];
         const double z = has_z ? s[2] : std::sqrt(std::max(0.0, 1 - double(s[0]) * s[0] - double(s[1]) * s[1]));
         const glm::dvec3 exact(n[0], n[1], n[2]), read(s[0], s[1], z);
-        const double error = glm::degrees(std::atan2(glm::length(glm::cross(exact, read)), glm::dot(exact, read)));
+        const double error = degrees_between(exact, read);
         degrees.mean += error / double(normals.pixel_count());
         degrees.largest = std::max(degrees.largest, error);
     }

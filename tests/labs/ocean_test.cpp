@@ -6,6 +6,7 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/mips.h"
+#include "framework/staff/reference/degrees.h"
 #include "labs/15_ocean/waves.h"
 #include "tests/labs/shots.h"
 #include "tests/support.h"
@@ -101,7 +102,7 @@ RuleError error_of_rule(double rms, Rule rule) {
             }
             const auto normal = [](glm::dvec2 slope) { return glm::normalize(glm::dvec3(-slope, 1)); };
             const glm::dvec3 exact = normal(s[0] + s[1]), got = glm::normalize(rule(normal(s[0]), normal(s[1])));
-            degrees += glm::degrees(std::atan2(glm::length(glm::cross(exact, got)), glm::dot(exact, got)));
+            degrees += degrees_between(exact, got);
             found += glm::dot(glm::dvec2(got), glm::dvec2(got)) / (got.z * got.z);
             right += glm::dot(s[0] + s[1], s[0] + s[1]);
         }

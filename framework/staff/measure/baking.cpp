@@ -80,7 +80,7 @@ BenchScene frames(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> baking_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all = {bakes("16k", settings)};
     if (!settings.quick) all.push_back(bakes("131k", settings)), all.push_back(bakes("1M", settings));
     all.push_back(frames(settings));
@@ -91,7 +91,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic baking_topic() {
     return {"baking", "bakes of lab 07's shell and frames of it: time against degrees",
-            "How fine must a baked map be, and how long does it take?", scenes, true};
+            "How fine must a baked map be, and how long does it take?", baking_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -14,8 +14,8 @@
 namespace relief::measure {
 namespace {
 
-constexpr glm::ivec2 usual_size{512, 512};    // with --quick, too
-constexpr double depth = 0.03, texels = 512;  // depth in metres; texels per metre
+constexpr double wall_depth = 0.03;  // metres
+constexpr double wall_texels = 512;  // per metre
 
 /// The wall with its height map, which is created on demand.
 class Wall {
@@ -23,14 +23,14 @@ public:
     explicit Wall(int map) {
         material_.map = map;
         material_.size = 2;
-        material_.asset_texels = int(texels);
+        material_.asset_texels = int(wall_texels);
     }
     /// Returns the errors in pixels for a shot of the probe `uv`.
     Image errors(const Image& uv, const Camera& camera) {
         if (!field_) field_.emplace(material_.heights(), true);
         Image errors(uv.width, uv.height, 1);
         std::fill(errors.values.begin(), errors.values.end(), no_surface);
-        for (const ShownError& one : wall_errors(uv, *field_, texels, depth, camera.clip_from_world()))
+        for (const ShownError& one : wall_errors(uv, *field_, wall_texels, wall_depth, camera.clip_from_world()))
             *errors.pixel(one.pixel.x, one.pixel.y) = float(one.pixels);
         return errors;
     }
@@ -40,7 +40,7 @@ private:
     std::optional<HeightField> field_;
 };
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> budget_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> result;
     std::vector<std::pair<std::string, int>> maps = {{"wall", ReliefMap::wall}};
     if (!settings.quick) {
@@ -56,30 +56,31 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
             scene.item = "frame";
             const auto wall = std::make_shared<Wall>(one.second);
             const auto add = [&](const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set) {
-                scene.methods.push_back(
-                    {name, knobs, [=] {
-                         const LabEntry& entry = find_lab("17");
-                         Shot shot{.size = settings.size.value_or(usual_size),
-                                   .time = 0,
-                                   .camera = load_manifest(entry).camera,
-                                   .probe = {"uv"},
-                                   .set = together(set, knobs)};
-                         shot.set = together(
-                             shot.set,
-                             {{"view", "picture"}, {"map", map}, {"size", "512"}, {"depth", fmt::format("{}", depth)}});
-                         const std::shared_ptr<Lab> lab = make_lab(entry, shot);
-                         Shot timed = shot;
-                         if (draws == "picture") timed.probe = {};
-                         BenchSubject subject = drawn(lab, timed);
-                         const Image errors = wall->errors(render_shot(*lab, shot), Camera(shot.camera, 1));
-                         subject.error = error_over(errors, "pixel");
-                         subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
-                         if (settings.pictures) {
-                             show_picture(subject, *lab, shot);
-                             show_errors(subject, errors, 4);
-                         }
-                         return subject;
-                     }});
+                scene.methods.push_back({name, knobs, [=] {
+                                             const LabEntry& entry = find_lab("17");
+                                             Shot shot{.size = settings.size.value_or(usual_size),
+                                                       .time = 0,
+                                                       .camera = load_manifest(entry).camera,
+                                                       .probe = {"uv"},
+                                                       .set = together(set, knobs)};
+                                             shot.set = together(shot.set, {{"view", "picture"},
+                                                                            {"map", map},
+                                                                            {"size", "512"},
+                                                                            {"depth", fmt::format("{}", wall_depth)}});
+                                             const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                                             Shot timed = shot;
+                                             if (draws == "picture") timed.probe = {};
+                                             BenchSubject subject = drawn(lab, timed);
+                                             const Image errors =
+                                                 wall->errors(render_shot(*lab, shot), Camera(shot.camera, 1));
+                                             subject.error = error_over(errors, "pixel");
+                                             subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
+                                             if (settings.pictures) {
+                                                 show_picture(subject, *lab, shot);
+                                                 show_errors(subject, errors, 4);
+                                             }
+                                             return subject;
+                                         }});
             };
             const auto budgets = {"0.5", "1", "2", "4"};
             for (const char* budget : budgets) add("auto", {{"budget", budget}}, {});
@@ -100,7 +101,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic budget_topic() {
     return {"budget", "lab 17's wall within a budget of pixels; taps are heights read per pixel",
-            "Which method keeps a budget of pixels in the least time?", scenes, true};
+            "Which method keeps a budget of pixels in the least time?", budget_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -20,7 +20,6 @@
 namespace relief::measure {
 namespace {
 
-constexpr glm::ivec2 usual_size{512, 512};  // with --quick, too
 glm::ivec2 size_of(const BenchSettings& settings) { return settings.size.value_or(usual_size); }
 
 /// Returns the errors of a shot of the probe `place`, one for each pixel with a surface, from the top left. The shot of
@@ -295,7 +294,7 @@ void add_spacings(std::vector<BenchScene>& scenes, const BenchSettings& settings
     }
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> displacement_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> result = {levels(settings)};
     add_culling(result, settings);
     if (settings.quick) return result;
@@ -330,7 +329,7 @@ BenchTopic displacement_topic() {
     return {"displacement",
             "levels of tessellation; a tenth of a ground culled; spacings, wrong: apart from the "
             "true outline",
-            "How fine must triangles be to show a relief?", scenes, true};
+            "How fine must triangles be to show a relief?", displacement_scenes, true};
 }
 
 }  // namespace relief::measure

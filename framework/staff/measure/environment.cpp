@@ -80,7 +80,7 @@ BenchScene mirrors(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> environment_scenes(const BenchSettings& settings) {
     return {terms(settings), shadows(settings), occlusions(settings), mirrors(settings)};
 }
 
@@ -88,7 +88,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic environment_topic() {
     return {"environment", "terms of the light in lab 16, and what hides them: time against error",
-            "What do light and shadow of a bumped surface cost, and how right are they?", scenes, true};
+            "What do light and shadow of a bumped surface cost, and how right are they?", environment_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -19,7 +19,7 @@ BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
     return {};
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> frames_scenes(const BenchSettings& settings) {
     BenchScene scene{{}, "frame"};
     for (const LabEntry& entry : registry()) {
         const Manifest manifest = load_manifest(entry);
@@ -46,7 +46,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic frames_topic() {
     return {"frames", "a frame of each lab, and the error of its probe", "How long does a frame of each lab take?",
-            scenes, true};
+            frames_scenes, true};
 }
 
 }  // namespace relief::measure

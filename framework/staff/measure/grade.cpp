@@ -136,7 +136,7 @@ struct Graded {
     }
 };
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> grade_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> result;
     const int count = int(hardware_threads()) * (settings.quick ? 1 : 2);
     const grade::Isolation isolation = grade::isolation_for(true).level;
@@ -178,7 +178,7 @@ BenchTopic grade_topic() {
     return {"grade",
             "grading submissions, compared with a plain loop of build, draw, idiff",
             "How long does a submission take to grade?",
-            scenes,
+            grade_scenes,
             false,
             true};
 }

@@ -52,7 +52,7 @@ BenchScene mesh_scene(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> intersection_scenes(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 250'000;
     BenchScene scene{{}, "ray"};
     for (const int degrees : {30, 60, 75, 85})
@@ -91,7 +91,7 @@ BenchTopic intersection_topic() {
     return {"intersection",
             "the exact first hit in a 256² map, 20 texels deep, by degrees from the normal; and in a mesh of 129,792 "
             "triangles",
-            "How long does an exact hit take, and what is given away by a quicker one?", scenes};
+            "How long does an exact hit take, and what is given away by a quicker one?", intersection_scenes};
 }
 
 }  // namespace relief::measure

@@ -46,7 +46,7 @@ BenchScene compared(const Comparison& comparison, const BenchSettings& settings)
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> layers_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
     for (const auto& [question, own] : {std::pair{"heights-add", "pd"}, {"along-normal", "pd"}, {"in-frame", "rnm"}})
         all.push_back(compared({{{"question", question}},
@@ -86,7 +86,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 BenchTopic layers_topic() {
     return {"layers",
             "lab 19: blends of two normals by the question that they answer, mappings by three planes, far highlights",
-            "Which blend of two normals is right?", scenes, true};
+            "Which blend of two normals is right?", layers_scenes, true};
 }
 
 }  // namespace relief::measure

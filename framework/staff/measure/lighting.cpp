@@ -86,7 +86,7 @@ BenchScene permutations(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> lighting_scenes(const BenchSettings& settings) {
     return {columns(settings), frames_of_pixels(false, settings), frames_of_pixels(true, settings),
             permutations(settings)};
 }
@@ -95,7 +95,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic lighting_topic() {
     return {"lighting", "parts of the shading, compiled in or left out, and the normal without them",
-            "What does each part of the shading cost?", scenes, true};
+            "What does each part of the shading cost?", lighting_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -147,7 +147,7 @@ BenchScene reading(int side) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> materials_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all = {programs("garden", settings)};
     if (!settings.quick) all.push_back(programs("thousand", settings));
     all.push_back(orders(settings));
@@ -162,7 +162,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic materials_topic() {
     return {"materials", "programs, orders, masks and filters of lab 08, and a model of a million faces",
-            "What do programs, orders and filters of materials cost?", scenes, true};
+            "What do programs, orders and filters of materials cost?", materials_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -78,7 +78,7 @@ BenchScene flock(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> moving_frames_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
     for (const char* bend : {"30", "60", "90"})
         if (!settings.quick || bend == std::string("90")) all.push_back(joint({{"bend", bend}}, settings));
@@ -92,7 +92,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic moving_frames_topic() {
     return {"moving-frames", "normals of lab 18's skin, in degrees against time; its flock by bodies and triangles",
-            "Which normals does a bent skin need?", scenes, true};
+            "Which normals does a bent skin need?", moving_frames_scenes, true};
 }
 
 }  // namespace relief::measure

@@ -7,6 +7,7 @@
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normals.h"
 
 #include <glm/glm.hpp>
@@ -45,8 +46,7 @@ BenchError error_of(const Image& normals) {
             // Rows run down, v runs up.
             const glm::dvec3 exact(-amplitude * 0.5 * w * std::cos(w * x) * std::sin(w * y),
                                    amplitude * 0.5 * w * std::sin(w * x) * std::cos(w * y), 1);
-            errors.push_back(
-                glm::degrees(std::atan2(glm::length(glm::cross(measured, exact)), glm::dot(measured, exact))));
+            errors.push_back(degrees_between(measured, exact));
         }
     return error_figures(std::move(errors), "degree");
 }
@@ -139,7 +139,7 @@ private:
     std::shared_ptr<Maps> maps_;
 };
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> normals_scenes(const BenchSettings& settings) {
     const unsigned most_threads = std::min(2u, hardware_threads());
     NormalsScene normals(settings.quick);
     for (unsigned threads = 1; threads <= most_threads; ++threads) {
@@ -157,7 +157,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic normals_topic() {
     return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1",
-            "Which filter turns heights into the best normals for its time?", scenes};
+            "Which filter turns heights into the best normals for its time?", normals_scenes};
 }
 
 }  // namespace relief::measure

@@ -61,7 +61,7 @@ BenchScene far_seas(const char* wind, const BenchSettings& settings) {
     return scene;
 }
 
-BenchScene frames(const BenchSettings& settings) {
+BenchScene sea_frames(const BenchSettings& settings) {
     BenchScene scene{{{"waves", "raised"}}, "frame"};
     for (const char* budget : {"1", "3", "8"})
         scene.methods.push_back({"budget", {{"budget", budget}}, [=] {
@@ -80,12 +80,12 @@ BenchScene frames(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> ocean_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all = {rules("6", settings)};
     if (!settings.quick) all.push_back(rules("15", settings));
     all.push_back(far_seas("6", settings));
     if (!settings.quick) all.push_back(far_seas("15", settings));
-    all.push_back(frames(settings));
+    all.push_back(sea_frames(settings));
     return all;
 }
 
@@ -93,7 +93,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic ocean_topic() {
     return {"ocean", "normals of two maps, and the light of a far sea, in lab 15: time against error",
-            "How right can a far sea glitter, and at what price?", scenes, true};
+            "How right can a far sea glitter, and at what price?", ocean_scenes, true};
 }
 
 }  // namespace relief::measure

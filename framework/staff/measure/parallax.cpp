@@ -108,7 +108,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> parallax_scenes(const BenchSettings& settings) {
     std::vector<BenchKnobs> maps;
     for (const char* map : {"bricks", "stones", "posts"})
         for (const char* bits : {"float", "8"}) maps.push_back({{"map", map}, {"size", "512"}, {"bits", bits}});
@@ -127,7 +127,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic parallax_topic() {
     return {"parallax", "searches of a relief; taps are heights read, visits cells or blocks looked at",
-            "Which search finds the relief soonest, and how far off is it?", scenes, true};
+            "Which search finds the relief soonest, and how far off is it?", parallax_scenes, true};
 }
 
 }  // namespace relief::measure

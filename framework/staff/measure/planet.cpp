@@ -54,7 +54,7 @@ BenchScene maps_of_level(int level, const BenchSettings& settings) {
 }
 
 /// From a tenth of the radius above the ground, with an error of at most two pixels.
-BenchScene frames(const BenchSettings& settings) {
+BenchScene planet_frames(const BenchSettings& settings) {
     BenchScene scene{{{"planet", "drawn"}}, "frame"};
     const auto add = [&](const char* name, const BenchKnobs& knobs) {
         scene.methods.push_back(
@@ -83,15 +83,15 @@ BenchScene frames(const BenchSettings& settings) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
-    return {maps_of_level(0, settings), maps_of_level(1, settings), frames(settings)};
+std::vector<BenchScene> planet_scenes(const BenchSettings& settings) {
+    return {maps_of_level(0, settings), maps_of_level(1, settings), planet_frames(settings)};
 }
 
 }  // namespace
 
 BenchTopic planet_topic() {
     return {"planet", "maps of lab 09's planet by formula and size, in degrees against time; frames by levels",
-            "Which normals does a planet need?", scenes, true};
+            "Which normals does a planet need?", planet_scenes, true};
 }
 
 }  // namespace relief::measure

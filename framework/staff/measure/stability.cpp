@@ -49,7 +49,7 @@ BenchSweep::Place Tally::most(double hardness) const { return place(hardness, er
 
 namespace {
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> stability_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
     for (const auto part : {tangent_sweeps, codec_sweeps, height_sweeps, hit_sweeps, lab_sweeps, layer_sweeps})
         for (BenchScene& scene : part(settings)) all.push_back(std::move(scene));
@@ -64,7 +64,7 @@ BenchTopic stability_topic() {
                 "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
                 "tangents 1, formats 3, rays 5, rays against a mesh 7, layers 19)",
             .question = "From where on is each method wrong?",
-            .scenes = scenes,
+            .scenes = stability_scenes,
             .draws = true,
             .sweeps = true};
 }

@@ -5,20 +5,17 @@
 
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 
 namespace relief::measure {
 namespace {
 
-constexpr unsigned seed = 3;
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
+constexpr unsigned codec_seed = 3;
 
 /// Returns directions at `angle` from the seams of formats. These are the ends of the axes (poles), the planes between
 /// the axes, and the edges of an octahedron's faces. At angle 0 they lie on the seams, with components 0 and -0.
 std::vector<glm::dvec3> near_seams(double angle, size_t count) {
-    std::mt19937 random(seed);
+    std::mt19937 random(codec_seed);
     std::uniform_real_distribution<> turn(0, 2 * glm::pi<double>());
     std::vector<glm::dvec3> normals;
     for (size_t i = 0; i < count; ++i)
@@ -107,7 +104,7 @@ BenchScene angle_scene(const BenchSettings& settings) {
     const auto method = [count](const std::string& name, double stated, const char* why, auto angle, bool peer) {
         return SweptMethod{name, stated, why,
                            [=](double hard) {
-                               std::mt19937 random(seed);
+                               std::mt19937 random(codec_seed);
                                std::uniform_real_distribution<> around(-1, 1);
                                Tally tally;
                                for (size_t i = 0; i < count; ++i) {

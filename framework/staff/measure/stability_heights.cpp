@@ -5,29 +5,30 @@
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normals.h"
 
 namespace relief::measure {
 namespace {
 
-constexpr int side = 32, border = 4;  // border texels are excluded: filters differ there by design
+constexpr int map_side = 32, border = 4;  // border texels are excluded: filters differ there by design
 
 constexpr double ramp_u = 0.625, ramp_v = 0.75;  // dh/du and dh/dv of a ramp of slope 1
 
 /// A ramp whose steps floats hold exactly: all filters should find its slope. Rows run down, v up.
 Image ramp() {
-    Image heights(side, side, 1);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) *heights.pixel(x, y) = float((x * ramp_u + (side - y) * ramp_v) / 64);
+    Image heights(map_side, map_side, 1);
+    for (int y = 0; y < map_side; ++y)
+        for (int x = 0; x < map_side; ++x) *heights.pixel(x, y) = float((x * ramp_u + (map_side - y) * ramp_v) / 64);
     return heights;
 }
 
 /// Waves of 16 texels with slopes up to 1, quantised to multiples of `step`. Step 0: not quantised.
 Image stepped_waves(double step) {
     constexpr double w = 2 * glm::pi<double>() / 16, amplitude = 1 / w;
-    Image heights(side, side, 1);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
+    Image heights(map_side, map_side, 1);
+    for (int y = 0; y < map_side; ++y)
+        for (int x = 0; x < map_side; ++x) {
             const double height = amplitude * std::sin(w * x) * std::sin(w * y);
             *heights.pixel(x, y) = float(step > 0 ? std::round(height / step) * step : height);
         }
@@ -45,14 +46,13 @@ using NormalsOf = std::function<Image(const Image& heights, double texels)>;
 template <class Exact>
 Tally tally_of(const Image& normals, Exact exact) {
     Tally tally;
-    for (int y = border; y < side - border; ++y)
-        for (int x = border; x < side - border; ++x) {
+    for (int y = border; y < map_side - border; ++y)
+        for (int x = border; x < map_side - border; ++x) {
             const glm::dvec3 measured = vector_of(normals, x, y), truth = exact(x, y);
             if (!(std::abs(glm::length(measured) - 1) < 1e-3))
                 tally.lost();
             else
-                tally.add(
-                    glm::degrees(std::atan2(glm::length(glm::cross(measured, truth)), glm::dot(measured, truth))));
+                tally.add(degrees_between(measured, truth));
         }
     return tally;
 }

@@ -22,7 +22,7 @@
 namespace relief::measure {
 namespace {
 
-constexpr unsigned seed = 5;
+constexpr unsigned ray_seed = 5;
 constexpr double least_slant = 0.002;
 
 struct Setting {
@@ -40,7 +40,7 @@ public:
           heights_(make_height_map(map, setting.size)),
           field_(heights_, true),
           rays_(side, side, 4) {
-        std::mt19937 random(seed);
+        std::mt19937 random(ray_seed);
         std::uniform_real_distribution<> share(0, 1);
         for (size_t i = 0; i < rays_.values.size(); i += 4) {
             const double turn = 2 * glm::pi<double>() * share(random);

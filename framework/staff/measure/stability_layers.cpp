@@ -5,16 +5,13 @@
 #include <random>
 
 #include "framework/staff/measure/stability.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/terminator.h"
 
 namespace relief::measure {
 namespace {
 
-constexpr unsigned seed = 19;
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
+constexpr unsigned layer_seed = 19;
 
 glm::vec3 with_slope(double slope, double towards) {
     return glm::vec3(glm::normalize(glm::dvec3(-slope * std::cos(towards), -slope * std::sin(towards), 1)));
@@ -51,7 +48,7 @@ BenchScene steep_blends(const BenchSettings& settings) {
     const auto method = [count](const char* name, const char* why, Blend blend, Exact exact, bool peer) {
         return SweptMethod{name, 1e-4, why,
                            [=](double hard) {
-                               std::mt19937 random(seed);
+                               std::mt19937 random(layer_seed);
                                // At most 143 degrees apart: of opposite slopes, the sum is mostly rounding.
                                std::uniform_real_distribution<> turn(0, glm::two_pi<double>()), apart(-2.5, 2.5);
                                Tally tally;
@@ -85,7 +82,7 @@ BenchScene plane_weights(const BenchSettings& settings) {
             for (const float z : {-1.0f, -0.0f, 0.0f, 1e-20f, 1.0f})
                 if (std::abs(x) == 1 || std::abs(y) == 1 || std::abs(z) == 1)
                     normals.push_back(glm::normalize(glm::vec3(x, y, z)));
-    std::mt19937 random(seed);
+    std::mt19937 random(layer_seed);
     std::normal_distribution<float> one;
     for (int i = 0; i < (settings.quick ? 100 : 2000); ++i)
         normals.push_back(glm::normalize(glm::vec3(one(random), one(random), one(random))));
@@ -122,7 +119,7 @@ BenchScene plane_weights(const BenchSettings& settings) {
 /// variance of a texel.
 BenchScene short_means(const BenchSettings& settings) {
     const auto at = [](double hard) {
-        std::mt19937 random(seed);
+        std::mt19937 random(layer_seed);
         std::normal_distribution<> one;
         Tally tally;
         for (int i = 0; i < 500; ++i) {
@@ -142,7 +139,7 @@ BenchScene short_means(const BenchSettings& settings) {
 /// with 1/400.
 BenchScene small_turns(const BenchSettings& settings) {
     const auto at = [](double hard) {
-        std::mt19937 random(seed);
+        std::mt19937 random(layer_seed);
         std::normal_distribution<> one;
         const auto unit = [&] { return glm::normalize(glm::dvec3(one(random), one(random), one(random))); };
         Tally tally;
@@ -173,7 +170,7 @@ struct Corner {
 /// Returns corners at `angle` from the ends of the factors, on both sides: n . L = 0, Ng . L = 0, Ng . n = 0, and all
 /// three at once. Half of them are aligned with the axes, so that cosines at angle 0 are 0.
 std::vector<Corner> near_ends(double angle, size_t count) {
-    std::mt19937 random(seed);
+    std::mt19937 random(layer_seed);
     std::uniform_real_distribution<> lean(0.1, 1.4);
     std::normal_distribution<> one;
     const auto at = [](double elevation) { return glm::dvec3(std::cos(elevation), 0, std::sin(elevation)); };

@@ -7,13 +7,14 @@
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief::measure {
 namespace {
 
-constexpr unsigned seed = 1;
+constexpr unsigned mesh_seed = 1;
 using Exact = glm::vec<3, long double>;
 
 /// Separate triangles: every method should give each triangle its own dP/du.
@@ -53,7 +54,7 @@ struct SoupShape {
 };
 
 Soup make_soup(size_t count, const SoupShape& shape) {
-    std::mt19937 random(seed);
+    std::mt19937 random(mesh_seed);
     std::uniform_real_distribution<> share(0, 1), around(-1, 1);
     const auto direction = [&] {
         for (;;) {
@@ -90,10 +91,6 @@ Soup make_soup(size_t count, const SoupShape& shape) {
 }
 
 /// Returns an angle that stays accurate when it is small; acos(dot) does not.
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
-
 /// Returns whether a tangent is finite and of unit length. A shader turns any other tangent into NaN or black.
 bool is_usable(const glm::vec4& tangent) {
     return std::abs(glm::length(glm::dvec3(tangent)) - 1) < 1e-3 && std::abs(tangent.w) == 1;
@@ -134,14 +131,14 @@ std::vector<glm::vec4> published_tangents(const Mesh& mesh) {
     return result;
 }
 
-struct Method {
+struct TangentsMethod {
     const char* name;
     TangentsOf tangents;
     bool peer = false;
 };
 
-std::vector<Method> methods() {
-    std::vector<Method> all;
+std::vector<TangentsMethod> tangents_methods() {
+    std::vector<TangentsMethod> all;
     for (const auto& [name, kind] : {std::pair{"per-face", TangentMethod::per_face},
                                      {"uniform", TangentMethod::uniform},
                                      {"area", TangentMethod::area},
@@ -173,10 +170,10 @@ std::vector<Method> methods() {
 BenchScene soup_scene(const char* input, const char* axis, const std::vector<double>& hardness, size_t count,
                       double stated, const std::array<const char*, 4>& why,
                       const std::function<SoupShape(double)>& shape) {
-    std::vector<Method> all = methods();
+    std::vector<TangentsMethod> all = tangents_methods();
     all.push_back({"published-in-floats", published_tangents, true});
     std::vector<SweptMethod> result;
-    for (const Method& method : all) {
+    for (const TangentsMethod& method : all) {
         const std::string name = method.name;
         const char* const text = !method.peer ? why[0] : name == "usual" ? why[1] : name == "Assimp" ? why[3] : why[2];
         result.push_back({name, stated, text,
@@ -191,14 +188,14 @@ BenchScene soup_scene(const char* input, const char* axis, const std::vector<dou
 /// The mean angle to dP/du, on a torus with increasing jitter. From half a cell on, triangles fold.
 BenchScene jitter_scene(const BenchSettings& settings) {
     std::vector<SweptMethod> result;
-    for (const Method& method : methods())
+    for (const TangentsMethod& method : tangents_methods())
         result.push_back({method.name, method.name == std::string("per-face") ? 6.0 : 2.0,
                           method.name == std::string("per-face") ? "Facets: no mean hides that a triangle is flat."
                           : method.peer ? "Sums over a vertex's triangles cancel where one is folded."
                                         : "A folded triangle has the other handedness: its corners have tangents of "
                                           "their own, which point the wrong way.",
                           [tangents = method.tangents, quick = settings.quick](double jitter) {
-                              const Mesh mesh = jittered_torus(quick ? 48 : 96, quick ? 24 : 48, seed, jitter);
+                              const Mesh mesh = jittered_torus(quick ? 48 : 96, quick ? 24 : 48, mesh_seed, jitter);
                               Tally tally;
                               const std::vector<glm::vec4> found = tangents(mesh);
                               for (size_t i = 0; i < found.size(); ++i)

@@ -96,7 +96,7 @@ BenchWork parts_of(const Words& command, bool with_cache, int repeats) {
     return parts;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> start_scenes(const BenchSettings& settings) {
     const auto folder = std::make_shared<grade::PublicFolder>(fs::temp_directory_path(), "relief-bench");
     std::vector<BenchScene> result;
     for (const std::string kind : {"png", "ppm"}) {
@@ -136,7 +136,7 @@ BenchTopic start_topic() {
     return {"start",
             "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
             "How long does the first picture take?",
-            scenes,
+            start_scenes,
             false,
             true};
 }

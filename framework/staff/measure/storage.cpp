@@ -6,15 +6,12 @@
 #include "framework/core/image/bc1.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normal_codec.h"
 #include "framework/staff/reference/rgtc.h"
 
 namespace relief::measure {
 namespace {
-
-double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 struct Vectors {
     std::vector<glm::dvec3> normals, decoded;
@@ -133,7 +130,7 @@ BenchScene compression(const char* name, int side) {
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> storage_scenes(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 200'000;
     BenchScene encoding{{{"do", "encode"}}, "vector"}, decoding{{{"do", "decode"}}, "vector"};
     for (const NormalFormatInfo& info : normal_formats()) {
@@ -182,7 +179,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 BenchTopic storage_topic() {
     return {"storage",
             "normal-map formats on the CPU, in double precision: vectors of the upper hemisphere, and maps in blocks",
-            "What does a normal-map format cost in degrees, and what in time?", scenes};
+            "What does a normal-map format cost in degrees, and what in time?", storage_scenes};
 }
 
 }  // namespace relief::measure

@@ -6,6 +6,7 @@
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
@@ -24,7 +25,7 @@ BenchError error_of(const std::vector<glm::vec4>& tangents) {
     std::vector<double> errors;
     for (size_t i = 0; i < tangents.size(); ++i) {
         const glm::dvec3 measured(tangents[i]), exact(mesh.vertices[mesh.indices[i]].tangent);
-        errors.push_back(glm::degrees(std::atan2(glm::length(glm::cross(measured, exact)), glm::dot(measured, exact))));
+        errors.push_back(degrees_between(measured, exact));
     }
     return error_figures(std::move(errors), "degree");
 }
@@ -40,7 +41,7 @@ struct Work {
     size_t triangles() const { return mesh.indices.size() / 3; }
 };
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> tangents_scenes(const BenchSettings& settings) {
     const auto work = std::make_shared<Work>();
     work->quick = settings.quick;
     const std::pair<const char*, TangentMethod> kinds[] = {{"per-face", TangentMethod::per_face},
@@ -91,7 +92,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic tangents_topic() {
     return {"tangents", "tangents of a million triangles; errors on a jittered torus of 4096",
-            "Which tangents are right, and how long do they take?", scenes};
+            "Which tangents are right, and how long do they take?", tangents_scenes};
 }
 
 }  // namespace relief::measure

@@ -130,7 +130,7 @@ BenchScene scene_of(const std::shared_ptr<Tile>& tile, const std::string& slope,
     return scene;
 }
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
+std::vector<BenchScene> terminator_scenes(const BenchSettings& settings) {
     const auto tile = std::make_shared<Tile>(128);
     const int samples = settings.quick ? 64 : 192;
     std::vector<BenchScene> all;
@@ -146,7 +146,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic terminator_topic() {
     return {"terminator", "light of a normal map under a low lamp, against the relief with its own shadow",
-            "How much light does a normal map invent?", scenes};
+            "How much light does a normal map invent?", terminator_scenes};
 }
 
 }  // namespace relief::measure

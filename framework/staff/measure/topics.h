@@ -1,6 +1,8 @@
 // The topics of relief bench, one file each.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "framework/core/mesh/mesh.h"
 #include "framework/staff/measure/bench.h"
 
@@ -26,6 +28,9 @@ BenchTopic frames_topic();
 BenchTopic stability_topic();
 BenchTopic grade_topic();
 BenchTopic start_topic();
+
+/// The size of pictures if the user names none, in pixels. With --quick, too.
+inline constexpr glm::ivec2 usual_size{512, 512};
 
 /// Returns the mesh on which tangents are measured: a torus with vertices jittered by up to 0.24 cells and random
 /// diagonals. Its tangents are the exact dP/du. A jitter below a quarter of a cell folds no triangle; a folded triangle

@@ -10,6 +10,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/image/dds.h"
 #include "framework/core/image/mips.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normal_map.h"
 
 namespace relief {
@@ -105,7 +106,7 @@ void measure(Bc5Texture& texture, const Image& map) {
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
             const glm::dvec3 a = normal_of(map, x, y), b = normal_of(decoded, x, y);
-            const double degrees = glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+            const double degrees = degrees_between(a, b);
             sum += degrees, texture.largest_degrees = std::max(texture.largest_degrees, degrees);
         }
     texture.mean_degrees = sum / double(map.pixel_count());

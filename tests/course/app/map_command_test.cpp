@@ -11,6 +11,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
+#include "framework/staff/reference/degrees.h"
 #include "tests/course/app/course_copy.h"
 
 namespace relief::app {
@@ -174,7 +175,7 @@ TEST_F(MapCommand, InspectReadsTheBc5MapThatItMakesAsTheSameNormals) {
                 return glm::normalize(2.0 * glm::dvec3(of.values[i], of.values[i + 1], of.values[i + 2]) - 1.0);
             };
             const glm::dvec3 a = vector(normals), b = vector(decoded);
-            const double degrees = glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+            const double degrees = degrees_between(a, b);
             sum += degrees, largest = std::max(largest, degrees);
         }
         EXPECT_TRUE(contains(result.out, rounded(sum / 4096) + " degrees off on average and " + rounded(largest)))
@@ -235,9 +236,7 @@ TEST_F(MapCommand, BakesTheExactNormalsAndHeightsOfHills) {
             const float* const texel = normals.pixel(x, y);
             const glm::dvec3 baked = 2.0 * glm::dvec3(texel[0], texel[1], texel[2]) - 1.0;
             // At the border, a vertex has half of its faces.
-            if (x > 0 && y > 0 && x < 47 && y < 31)
-                worst = std::max(
-                    worst, glm::degrees(std::atan2(glm::length(glm::cross(baked, exact)), glm::dot(baked, exact))));
+            if (x > 0 && y > 0 && x < 47 && y < 31) worst = std::max(worst, degrees_between(baked, exact));
         }
     EXPECT_LT(worst, 0.3) << "degrees; the hills have 96 cells along a side";
     const size_t from = result.out.find("heights from "), to = result.out.find(" to ", from);

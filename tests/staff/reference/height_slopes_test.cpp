@@ -12,7 +12,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/image/color.h"
-#include "tests/staff/reference/degrees.h"
+#include "framework/staff/reference/degrees.h"
 
 namespace relief {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "framework/core/mesh/shapes.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/tangents.h"
 #include "tests/core/mesh/test_meshes.h"
-#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 namespace {

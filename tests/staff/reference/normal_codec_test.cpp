@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "framework/core/base/parallel.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/half.h"
-#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/light.h"
 #include "framework/staff/reference/normal_map.h"
 #include "framework/staff/reference/tangent_space.h"
 #include "framework/staff/reference/tessellation.h"
-#include "tests/staff/reference/degrees.h"
 
 namespace relief {
 namespace {

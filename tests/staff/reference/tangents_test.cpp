@@ -10,9 +10,9 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/mesh/shapes.h"
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/tangent_faces.h"
 #include "tests/core/mesh/test_meshes.h"
-#include "tests/staff/reference/degrees.h"
 #include "tests/support.h"
 
 namespace relief {

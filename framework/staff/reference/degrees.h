@@ -1,4 +1,4 @@
-// The angle between two directions, as tests of the exact values measure it.
+// The angle between two directions, as errors of normals and tangents are measured.
 #pragma once
 
 #include <cmath>
