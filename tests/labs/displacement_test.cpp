@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
 constexpr std::array corner_counts = {"3", "4"};
-constexpr double radius = 1;  ///< of the sphere and the globe, metres
+constexpr double globe_radius = 1;  ///< of the sphere and the globe, metres
 
 Shot one(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {96, 96}) {
     knobs.emplace(knobs.begin(), "view", "one");
@@ -311,7 +311,7 @@ TEST(Displacement, SlopesGrowWhereTheBaseShrinks) {
         const auto slope = [&](const float* normal) {
             return glm::radians(degrees_between({normal[0], normal[1], normal[2]}, at));
         };
-        const double wanted = std::atan(std::tan(slope(b)) * radius / glm::length(at));
+        const double wanted = std::atan(std::tan(slope(b)) * globe_radius / glm::length(at));
         difference += glm::degrees(slope(a) - slope(b)), off = std::max(off, glm::degrees(std::abs(slope(a) - wanted)));
         ++count;
     }

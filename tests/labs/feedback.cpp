@@ -15,7 +15,7 @@ PFNGLLINKPROGRAMPROC link_program;
 PFNGLDRAWARRAYSPROC draw_arrays;
 GLuint captured;
 constexpr size_t room = size_t(1) << 25;  // bytes of it
-std::vector<glm::vec3>* places;
+std::vector<glm::vec3>* captured_places;
 
 void GLAD_API_PTR link_to_capture(GLuint program) {
     GLuint shaders[8];
@@ -44,9 +44,9 @@ void GLAD_API_PTR draw_and_capture(GLenum mode, GLint first, GLsizei count) {
     glGetQueryObjectuiv(written, GL_QUERY_RESULT, &triangles);
     const size_t bytes = triangles * 3 * sizeof(glm::vec3);
     if (bytes > room - 3 * sizeof(glm::vec3)) throw std::length_error("more triangles than a capture has room for");
-    const size_t before = places->size();
-    places->resize(before + triangles * 3);
-    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(bytes), places->data() + before);
+    const size_t before = captured_places->size();
+    captured_places->resize(before + triangles * 3);
+    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(bytes), captured_places->data() + before);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void GLAD_API_PTR draw_and_capture(GLenum mode, GLint first, GLsizei count) {
 std::vector<glm::vec3> triangles_of(Lab& lab, const Shot& shot) {
     const BufferName buffer;
     std::vector<glm::vec3> result;
-    captured = buffer, places = &result;
+    captured = buffer, captured_places = &result;
     glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, captured);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, room, nullptr, GL_STREAM_READ);  // slow, so not for each draw
     link_program = std::exchange(glad_glLinkProgram, link_to_capture);

@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-Shot one(std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {128, 128}) {
+Shot shot_of_one(std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {128, 128}) {
     knobs.emplace(knobs.begin(), "view", "one");
     return shot_of("11", std::move(knobs), probe, size);
 }
@@ -101,7 +101,7 @@ const std::vector<Search> searches = {
 
 void expect_like_the_twin(const char* bits) {
     for (const double angle : {60.0, 80.0}) {
-        Shot shot = one({});
+        Shot shot = shot_of_one({});
         shot.camera = slanted(angle, 25);
         const Rays rays(shot, HeightMap::fbm, *bits == '8', table_depth);
         // A ray that grazes an edge may fall on different sides in floats and in double precision. That affects at most
@@ -113,7 +113,7 @@ void expect_like_the_twin(const char* bits) {
         const double lone = (is_8_bit ? 60 : 4) / double(rays.count());
         const double slack = lone * reach / 4 + (is_8_bit ? reach / 255 / 4 : 0);
         for (const Search& search : searches) {
-            shot.set = with(with(one({}).set, table_map), with(search.knobs(), {{"bits", bits}}));
+            shot.set = with(with(shot_of_one({}).set, table_map), with(search.knobs(), {{"bits", bits}}));
             const Rays::Figures gpu = rays.of(drawn("11", shot));
             const Rays::Figures twin = rays.of_twin(search.steps, search.refinement, search.rounds);
             EXPECT_NEAR(gpu.mean, twin.mean, 0.05 * twin.mean + slack)
@@ -137,12 +137,12 @@ TEST(ParallaxOcclusion, MatchesTheMeasuredErrorsWithinAFactorOfTwo) {
     int views = 0;
     for (const double angle : {30.0, 60.0, 75.0, 85.0})
         for (const double around : {10.0, 75.0, 160.0}) {
-            Shot shot = one({});
+            Shot shot = shot_of_one({});
             shot.camera = slanted(angle, around);
             const Rays rays(shot, HeightMap::fbm, false, table_depth);
             ++views;
             for (size_t i = 0; i < table.size(); ++i) {
-                shot.set = with(with(one({}).set, table_map), {{"steps", std::to_string(table[i].first)}});
+                shot.set = with(with(shot_of_one({}).set, table_map), {{"steps", std::to_string(table[i].first)}});
                 wrong[i] += rays.of(drawn("11", shot)).wrong;
             }
         }
@@ -155,12 +155,13 @@ TEST(ParallaxOcclusion, MatchesTheMeasuredErrorsWithinAFactorOfTwo) {
 TEST(ParallaxOcclusion, DoublingTheStepsNeverIncreasesTheError) {
     for (const HeightMap map :
          {HeightMap::smooth, HeightMap::fbm, HeightMap::bricks, HeightMap::stones, HeightMap::posts}) {
-        Shot shot = one({});
+        Shot shot = shot_of_one({});
         shot.camera = slanted(70, 30);
         const Rays rays(shot, map, false, table_depth);
         double before = 1;
         for (const char* steps : {"8", "16", "32", "64", "128", "256"}) {
-            shot.set = with(with(one({}).set, table_map), {{"map", height_map_names[size_t(map)]}, {"steps", steps}});
+            shot.set =
+                with(with(shot_of_one({}).set, table_map), {{"map", height_map_names[size_t(map)]}, {"steps", steps}});
             const double wrong = rays.of(drawn("11", shot)).wrong;
             // A handful of the 16,384 rays may hit correctly by chance.
             EXPECT_LE(wrong, before + 8.0 / double(rays.count())) << height_map_names[size_t(map)] << ", " << steps;
@@ -190,7 +191,7 @@ TEST(ParallaxOcclusion, SkippingMovesNoHitByHalfATexelAndReadsFewerHeights) {
          {.yaw = 0, .pitch = 0, .distance = 0.6}}};
     for (const Scene& scene : scenes) {
         const auto probe = [&](const char* name, const char* skip) {
-            Shot shot = one(with(scene.knobs, {{"skip", skip}}), name);
+            Shot shot = shot_of_one(with(scene.knobs, {{"skip", skip}}), name);
             shot.camera = scene.camera;
             return drawn("11", shot);
         };
@@ -203,13 +204,13 @@ TEST(ParallaxOcclusion, SkippingMovesNoHitByHalfATexelAndReadsFewerHeights) {
 TEST(ParallaxOcclusion, SkippingOnACoarserLevelMovesNoHitByHalfItsTexel) {
     // From here a texel of that level spans 16 to 32 texels of the map.
     const auto probe = [&](const char* name, const char* skip) {
-        Shot shot = one({{"map", "stones"},
-                         {"size", "1024"},
-                         {"depth", "0.1"},
-                         {"mip", "footprint"},
-                         {"steps", "64"},
-                         {"skip", skip}},
-                        name);
+        Shot shot = shot_of_one({{"map", "stones"},
+                                 {"size", "1024"},
+                                 {"depth", "0.1"},
+                                 {"mip", "footprint"},
+                                 {"steps", "64"},
+                                 {"skip", skip}},
+                                name);
         shot.camera = {.yaw = 10, .pitch = 5, .distance = 2.5};
         return drawn("11", shot);
     };
@@ -220,7 +221,7 @@ TEST(ParallaxOcclusion, SkippingOnACoarserLevelMovesNoHitByHalfItsTexel) {
 TEST(ParallaxOcclusion, WithoutDepthEqualsThePlainPicture) {
     for (const char* surface : {"wall", "column", "urn"}) {
         std::vector<Knob> flat = {{"surface", surface}, {"map", "stones"}, {"size", "256"}, {"depth", "0"}};
-        Shot shot = one(flat);
+        Shot shot = shot_of_one(flat);
         shot.camera = {.yaw = 30, .pitch = 20, .distance = 2.5};
         // The hit is the entry point, up to the rounding of coordinates of some thousand texels.
         EXPECT_LT(error_of("11", shot).largest, 0.02) << surface;
@@ -231,7 +232,7 @@ TEST(ParallaxOcclusion, WithoutDepthEqualsThePlainPicture) {
                                             {{"steps", "4"}, {"skip", "false"}, {"refine", "none"}},
                                             {{"count", "texel"}},
                                             {{"refine", "secant"}}}) {
-            shot.set = with(one(flat).set, search);
+            shot.set = with(shot_of_one(flat).set, search);
             expect_same_picture(drawn("11", shot), plain, 0, 0);
         }
     }
@@ -296,14 +297,14 @@ std::pair<double, double> apart(const Image& a, const Image& b, glm::vec2 shift,
     return {sum / double(a.pixel_count()), wrong / double(a.pixel_count())};
 }
 
-const std::vector<Knob> stones = {{"map", "stones"}, {"size", "256"}, {"steps", "64"}};
+const std::vector<Knob> stones_map = {{"map", "stones"}, {"size", "256"}, {"steps", "64"}};
 
 TEST(ParallaxOcclusion, AShiftOfAnyNumberOfTilesFindsTheSameHits) {
-    Shot shot = one(stones);
+    Shot shot = shot_of_one(stones_map);
     shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
     const Image first = drawn("11", shot);
     for (const int tiles : {1, 3, 10000}) {
-        shot.set = with(one(stones).set, {{"shift", std::to_string(tiles)}});
+        shot.set = with(shot_of_one(stones_map).set, {{"shift", std::to_string(tiles)}});
         const auto [mean, wrong] = apart(first, drawn("11", shot), glm::vec2(-256.0f * float(tiles % 4)));
         // Float coordinates of 7 tiles have a spacing of 0.0001 texels, which decides at an edge.
         EXPECT_LT(mean, 0.02) << tiles;
@@ -312,7 +313,7 @@ TEST(ParallaxOcclusion, AShiftOfAnyNumberOfTilesFindsTheSameHits) {
 }
 
 TEST(ParallaxOcclusion, HasNoSeamWhereATileEnds) {
-    Shot shot = one({{"map", "smooth"}, {"size", "256"}, {"steps", "256"}});
+    Shot shot = shot_of_one({{"map", "smooth"}, {"size", "256"}, {"steps", "256"}});
     for (const double yaw : {-50.0, 50.0}) {
         shot.camera = {.yaw = yaw, .pitch = 20, .distance = 0.5, .target = {0, 0, 0}};
         // Tiles end in the middle of the wall. Rays enter on one side of that border and end on the other.
@@ -329,10 +330,10 @@ TEST(ParallaxOcclusion, HasNoSeamWhereATileEnds) {
 }
 
 TEST(ParallaxOcclusion, AMirroredReliefIsTheMirrorImage) {
-    Shot shot = one(stones);
+    Shot shot = shot_of_one(stones_map);
     shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
     const Image hits = drawn("11", shot);
-    shot.set = with(one(stones).set, {{"mirror", "true"}});
+    shot.set = with(shot_of_one(stones_map).set, {{"mirror", "true"}});
     shot.camera.yaw = -50;
     // The wall's four tiles run from 0 to 4, and mirrored from 0 to -4. The right end of one maps to the left end of
     // the other.
@@ -341,7 +342,7 @@ TEST(ParallaxOcclusion, AMirroredReliefIsTheMirrorImage) {
     EXPECT_LT(wrong, 0.002);
 
     const auto picture = [&](const char* mirror, double yaw, const char* light_yaw) {
-        Shot lit = one(with(stones, {{"mirror", mirror}, {"light_yaw", light_yaw}}), "");
+        Shot lit = shot_of_one(with(stones_map, {{"mirror", mirror}, {"light_yaw", light_yaw}}), "");
         lit.camera = shot.camera, lit.camera.yaw = yaw;
         return drawn("11", lit);
     };

@@ -16,14 +16,14 @@
 namespace relief {
 namespace {
 
-constexpr std::array methods = {"offset", "limited", "steep"};
+constexpr std::array offset_methods = {"offset", "limited", "steep"};
 constexpr std::array angles = {0, 30, 60, 75, 85};
-constexpr int steps = 24;
+constexpr int offset_steps = 24;
 
 /// Returns a shot of a wall through a long lens, so that the angle is almost constant. A texel is about a pixel at 0
 /// degrees.
 Shot wall_at(double degrees, std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {96, 96}) {
-    knobs.insert(knobs.begin(), {{"view", "one"}, {"steps", std::to_string(steps)}});
+    knobs.insert(knobs.begin(), {{"view", "one"}, {"steps", std::to_string(offset_steps)}});
     Shot shot = shot_of("10", std::move(knobs), probe, size);
     shot.camera = {.yaw = degrees, .pitch = 0, .distance = 3, .target = {0.1, 0.07, 0}, .field_of_view = 2};
     return shot;
@@ -73,7 +73,7 @@ struct Twin {
     ParallaxHit guess(const std::string& method, const ReliefRay& ray) const {
         return method == "offset"    ? parallax_offset(heights, ray)
                : method == "limited" ? offset_limited(heights, ray)
-                                     : steep_parallax(heights, ray, steps);
+                                     : steep_parallax(heights, ray, offset_steps);
     }
     /// Returns the error of the method in double precision, per pixel.
     Image errors(const Shot& shot, const std::string& method) const {
@@ -97,7 +97,7 @@ Image errors_of(const Shot& shot) {
 
 TEST(ParallaxOffset, EachMethodHasTheErrorOfItsDoublePrecisionTwin) {
     for (const char* map : {"wall", "fbm"})
-        for (const char* method : methods)
+        for (const char* method : offset_methods)
             for (const int degrees : angles) {
                 const Shot shot = wall_at(degrees, {{"map", map}, {"method", method}});
                 const Figures gpu = figures_of(errors_of(shot)), twin = figures_of(Twin(shot).errors(shot, method));
@@ -109,7 +109,7 @@ TEST(ParallaxOffset, EachMethodHasTheErrorOfItsDoublePrecisionTwin) {
 }
 
 TEST(ParallaxOffset, TheErrorGrowsWithTheAngle) {
-    for (const char* method : methods) {
+    for (const char* method : offset_methods) {
         double before = -1;
         for (const int degrees : angles) {
             const double mean = figures_of(errors_of(wall_at(degrees, {{"method", method}}))).mean;
@@ -160,7 +160,7 @@ TEST(ParallaxOffset, WithoutDepthShowsThePlainTexture) {
 }
 
 TEST(ParallaxOffset, SeenStraightOnOneTapIsExact) {
-    for (const char* method : methods) {
+    for (const char* method : offset_methods) {
         const Shot shot = wall_at(0, {{"method", method}}, "uv", {33, 33});
         // The ray of the middle pixel does not move sideways. That of its neighbour moves by a 3000th of the depth.
         EXPECT_LT(*errors_of(shot).pixel(16, 16), 0.005) << method;
@@ -204,7 +204,7 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndEveryRayBoundedForAnyAngleMapAndDepth)
         const auto lab = make_lab(find_lab("10"), shot);
         const ReliefMapping mapping = Surface(shot).surface.mapping();
         const double longest = std::max(mapping.depth.x, mapping.depth.y) * mapping.texels / least_slant * 1.001;
-        for (const char* method : methods)
+        for (const char* method : offset_methods)
             for (const char* probe : {"", "uv", "depth", "ray", "steps"}) {
                 set_knob(*lab, "method", method);
                 shot.probe = {probe};
@@ -225,7 +225,7 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndEveryRayBoundedForAnyAngleMapAndDepth)
 }
 
 TEST(ParallaxOffset, HitsRepeatInEveryTile) {
-    for (const char* method : methods)
+    for (const char* method : offset_methods)
         for (const char* shift : {"1", "3", "10000"}) {
             const std::vector<Knob> knobs = {{"method", method}, {"map", "smooth"}, {"size", "1024"}};
             std::vector<Knob> further = knobs;
@@ -262,7 +262,7 @@ TEST(ParallaxOffset, ThereIsNoSeamAtTheBorderOfATile) {
 }
 
 TEST(ParallaxOffset, AMirroredReliefIsTheMirrorImage) {
-    for (const char* method : methods) {
+    for (const char* method : offset_methods) {
         const Image usual = picture({{"method", method}, {"light_yaw", "-50"}}, 40);
         const Image mirrored = picture({{"method", method}, {"light_yaw", "50"}, {"mirror", "on"}}, -40);
         Image back = mirrored;
@@ -276,9 +276,9 @@ TEST(ParallaxOffset, AMirroredReliefIsTheMirrorImage) {
 
 TEST(ParallaxOffset, ATapIsCountedForEachLayer) {
     for (const char* map : {"high", "low"})
-        for (const char* method : methods) {
+        for (const char* method : offset_methods) {
             const Image taps = drawn("10", wall_at(40, {{"method", method}, {"map", map}}, "steps"));
-            const float expected = method == std::string("steep") && map == std::string("low") ? steps + 1 : 1;
+            const float expected = method == std::string("steep") && map == std::string("low") ? offset_steps + 1 : 1;
             for (size_t i = 0; i < taps.values.size(); i += 4) ASSERT_EQ(taps.values[i], expected) << map << method;
         }
 }

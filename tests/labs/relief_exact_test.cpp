@@ -9,14 +9,14 @@
 namespace relief {
 namespace {
 
-constexpr const char* methods[] = {"walk", "coarse", "windows", "max-mips", "cones"};
+constexpr const char* hit_methods[] = {"walk", "coarse", "windows", "max-mips", "cones"};
 
-std::vector<Knob> one(std::vector<Knob> knobs) {
+std::vector<Knob> alone(std::vector<Knob> knobs) {
     knobs.insert(knobs.begin(), {{"view", "one"}, {"shadow", "none"}, {"outline", "off"}, {"extent", "4"}});
     return knobs;
 }
 Shot seen(std::vector<Knob> knobs, double yaw, double pitch, const char* probe = "uv", glm::ivec2 size = {128, 128}) {
-    Shot shot = shot_of("12", one(std::move(knobs)), probe, size);
+    Shot shot = shot_of("12", alone(std::move(knobs)), probe, size);
     shot.camera = {.yaw = yaw, .pitch = pitch, .distance = 0.4, .target = {0.13, 0.07, 0}, .field_of_view = 40};
     return shot;
 }
@@ -132,7 +132,7 @@ TEST(ReliefExact, EverySearchHasTheSameHit) {
     for (const char* map : {"stones", "posts", "rock"})
         for (const auto& [yaw, pitch] : {std::pair(50.0, 20.0), {-78.0, -8.0}}) {
             const Image walked = drawn("12", seen({{"map", map}, {"method", "walk"}}, yaw, pitch));
-            for (const char* method : methods) {
+            for (const char* method : hit_methods) {
                 Tally tally;
                 tally.add(error_image(drawn("12", seen({{"map", map}, {"method", method}}, yaw, pitch)), walked,
                                       ErrorMetric::distance));
@@ -149,7 +149,7 @@ TEST(ReliefExact, IsExactMirroredStretchedRepeatedAndOnAnySurface) {
                                                  {{"surface", "column"}},
                                                  {{"surface", "column"}, {"outline", "on"}, {"depth", "0.2"}},
                                                  {{"surface", "column"}, {"mirror", "on"}, {"stretch", "2"}}};
-    for (const char* method : methods) {
+    for (const char* method : hit_methods) {
         Tally tally;
         for (std::vector<Knob> lay : lays) {
             lay.insert(lay.end(), {{"map", "stones"}, {"method", method}});
@@ -205,7 +205,7 @@ TEST(ReliefExact, WindowsHalveTheIterationsOnMapsTheyWereNotTunedFor) {
 }
 
 TEST(ReliefExact, SkipsTheMarchOnEmptyMapsAndBackFaces) {
-    for (const char* method : methods) {
+    for (const char* method : hit_methods) {
         EXPECT_LE(mean_turns(method, "low", 70), 1.01) << method;
         EXPECT_LE(mean_turns(method, "plateau", 70), 6) << method << ": it begins at the height of the highest";
         const Image behind = drawn("12", seen({{"map", "stones"}, {"method", method}}, 180, 10, "steps"));
@@ -410,7 +410,7 @@ TEST(ReliefExact, AtExtremeKnobsNoRayStallsAndWindowsReachNoLimit) {
         {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}, {"mirror", "on"}, {"stretch", "0.25"}}, -86},
         {{{"size", "4096"}, {"depth", "0.08"}, {"extent", "3"}}, 84}};
     for (const End& end : ends)
-        for (const char* method : methods) {
+        for (const char* method : hit_methods) {
             if (end.knobs[0].second == "4096" && method[0] != 'w') continue;  // seconds to make their maps
             std::vector<Knob> knobs = end.knobs;
             knobs.insert(knobs.end(), {{"map", "posts"}, {"method", method}});

@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-constexpr glm::ivec2 size{64, 48};
+constexpr glm::ivec2 picture_size{64, 48};
 constexpr int frames = 200;
 
 /// Returns the camera of a frame. The path circles the ground once, from close above it to far away.
@@ -28,8 +28,9 @@ Orbit camera_at(int frame) {
 }
 
 Image probed(Lab& lab, const char* name, int frame) {
-    const Target target(TargetKind::probe, size);
-    draw_lab(lab, frame_of({.size = size, .time = 0, .camera = camera_at(frame), .probe = {name}, .set = {}}, target));
+    const Target target(TargetKind::probe, picture_size);
+    draw_lab(lab, frame_of({.size = picture_size, .time = 0, .camera = camera_at(frame), .probe = {name}, .set = {}},
+                           target));
     return target.read();
 }
 
@@ -56,7 +57,8 @@ struct Ground {
         std::vector<double> errors;
         for (int frame = 0; frame < frames; frame += step) {
             const Image place = probed(*lab, "place", frame);
-            const glm::dmat4 clip_from_world = Camera(camera_at(frame), double(size.x) / size.y).clip_from_world();
+            const glm::dmat4 clip_from_world =
+                Camera(camera_at(frame), double(picture_size.x) / picture_size.y).clip_from_world();
             const auto more =
                 relief::screen_errors(place, surface.patches(), heights, double(surface.scale()), clip_from_world);
             errors.insert(errors.end(), more.begin(), more.end());

@@ -58,10 +58,11 @@ ErrorSummary error_near(glm::dvec3 target, Orbit orbit, const char* probe, const
         error_image(render_shot(*made, shot), truth_of(*made, shot), load_manifest(lab).probe(probe).error));
 }
 const glm::dvec3 floor_stones(0.3, 0, 2.4), column_bricks(1.4, 1.3, 1.65);
-const Orbit from_above{.yaw = 10, .pitch = 60, .distance = 0.6}, from_before{.yaw = 0, .pitch = 8, .distance = 0.5};
+const Orbit floor_from_above{.yaw = 10, .pitch = 60, .distance = 0.6},
+    column_from_before{.yaw = 0, .pitch = 8, .distance = 0.5};
 
 TEST(SpecularHighlightsTruth, ANormalMapIsAccurateTo8BitRoundingOnTheFloor) {
-    const ErrorSummary error = error_near(floor_stones, from_above, "normal", "normal-map");
+    const ErrorSummary error = error_near(floor_stones, floor_from_above, "normal", "normal-map");
     EXPECT_EQ(error.count, size_t{128 * 96});
     // Rounding to 8 bits tilts a normal by 0.17 degrees on average and 0.39 at most (Cigolle et al. 2014). Between
     // texels the shader interpolates normals and the truth interpolates slopes. They agree on a plane and differ by
@@ -72,17 +73,17 @@ TEST(SpecularHighlightsTruth, ANormalMapIsAccurateTo8BitRoundingOnTheFloor) {
 }
 
 TEST(SpecularHighlightsTruth, ANormalMapBeatsVertexNormalsTenfoldOnTheBricks) {
-    const ErrorSummary map = error_near(column_bricks, from_before, "normal", "normal-map");
-    const ErrorSummary vertex = error_near(column_bricks, from_before, "normal", "vertex-normal");
+    const ErrorSummary map = error_near(column_bricks, column_from_before, "normal", "normal-map");
+    const ErrorSummary vertex = error_near(column_bricks, column_from_before, "normal", "vertex-normal");
     EXPECT_EQ(map.count, vertex.count);
     EXPECT_GT(vertex.mean, 10);
     EXPECT_LT(map.mean, vertex.mean / 10);
 }
 
 TEST(SpecularHighlightsTruth, TexelsAreExactOnTheFloorAndWithinTheFacetErrorOnAColumn) {
-    EXPECT_LT(error_near(floor_stones, from_above, "uv", "normal-map").largest, 0.05);
+    EXPECT_LT(error_near(floor_stones, floor_from_above, "uv", "normal-map").largest, 0.05);
     // 48 sides: a facet lies up to 1 mm (0.6 texels) below the round column.
-    EXPECT_LT(error_near(column_bricks, from_before, "uv", "normal-map").largest, 1.5);
+    EXPECT_LT(error_near(column_bricks, column_from_before, "uv", "normal-map").largest, 1.5);
 }
 
 TEST(SpecularHighlightsTruth, FollowsTheStrengthAndEachHalfOfSideBySide) {

@@ -20,7 +20,7 @@ struct View {
     const char* name;
     Orbit camera;
 };
-const View views[] = {
+const View four_views[] = {
     {"along the wall", {.yaw = -80, .pitch = 3, .distance = 9, .target = {9, 2, 0}, .field_of_view = 50}},
     {"from a metre away", {.yaw = -62, .pitch = -20, .distance = 2.4, .target = {30, 5, 0}, .field_of_view = 65}},
     {"straight at it", {.yaw = 5, .pitch = 10, .distance = 2, .target = {100, 4, 0}, .field_of_view = 50}},
@@ -77,7 +77,7 @@ double largest(const std::vector<ShownError>& shown) {
 TEST(TimeAndError, EveryPixelKeepsTheBudget) {
     for (const char* map : {"wall", "fbm"}) {
         Wall wall(map);
-        for (const View& view : views)
+        for (const View& view : four_views)
             for (const double budget : {0.25, 0.5, 1.0, 4.0}) {
                 wall.set("budget", std::to_string(budget));
                 const auto shown = wall.errors(view.camera);
@@ -93,7 +93,7 @@ TEST(TimeAndError, AMarchAndTrianglesKeepTheBudget) {
     wall.set("budget", "0.25");
     for (const auto& [knob, value, method] : {std::tuple("exact_taps", "1000", 2), {"triangle_taps", "0", 4}}) {
         wall.set(knob, value);
-        for (const View& view : views) {
+        for (const View& view : four_views) {
             EXPECT_LE(largest(wall.errors(view.camera)), 0.25 * 1.01 + 0.001) << view.name << ", " << knob;
             const Image methods = wall.drawn(view.camera, "method");
             EXPECT_GT(std::count(methods.values.begin(), methods.values.end(), float(method)), 1000)
@@ -109,7 +109,7 @@ TEST(TimeAndError, AMarchAloneKeepsTheBudgetOnAnyMap) {
         wall.set("spend", "on");
         for (const double budget : {0.25, 1.0}) {
             wall.set("budget", std::to_string(budget));
-            for (const View& view : {views[0], views[1]})
+            for (const View& view : {four_views[0], four_views[1]})
                 EXPECT_LE(largest(wall.errors(view.camera)), budget * 1.01 + 0.001)
                     << map << ", " << view.name << ", " << budget;
         }
@@ -120,7 +120,7 @@ TEST(TimeAndError, SearchesAloneKeepTheBudgetAndAPlaneDoesNot) {
     Wall wall("wall");
     const auto off = [&](const char* method) {
         wall.set("method", method);
-        return largest(wall.errors(views[0].camera));
+        return largest(wall.errors(four_views[0].camera));
     };
     EXPECT_LT(off("exact"), 0.002);
     EXPECT_LT(off("parallax"), 0.1);
@@ -130,7 +130,7 @@ TEST(TimeAndError, SearchesAloneKeepTheBudgetAndAPlaneDoesNot) {
 TEST(TimeAndError, ALargerBudgetNeverPicksACostlierMethod) {
     for (const char* map : {"wall", "smooth"}) {
         Wall wall(map);
-        for (const View& view : {views[0], views[1]}) {
+        for (const View& view : {four_views[0], four_views[1]}) {
             std::optional<Image> before;
             std::set<float> seen;
             for (const char* budget : {"0.25", "0.35", "0.5", "0.7", "1", "2", "4", "16"}) {
@@ -156,7 +156,7 @@ TEST(TimeAndError, APatchOmitsOnlyMethodsThatNoneOfItsPixelsNeeds) {
     const MapErrors maps(material.heights(), material.normals());
     Wall wall("wall");
     size_t decided = 0, all = 0;
-    for (const View& view : views)
+    for (const View& view : four_views)
         for (const double pixels_off : {0.25, 0.5, 1.0, 4.0}) {
             wall.set("budget", std::to_string(pixels_off));
             const Frame frame{0, pixels, 0, Camera(view.camera, 1), {}};
@@ -182,7 +182,7 @@ TEST(TimeAndError, APatchOmitsOnlyMethodsThatNoneOfItsPixelsNeeds) {
 
 TEST(TimeAndError, DrawsOncePerMethodAndSkipsUnusedMethods) {
     Shot shot = shot_of("17", {{"view", "picture"}, {"map", "posts"}}, "", pixels);
-    shot.camera = views[0].camera;
+    shot.camera = four_views[0].camera;
     const auto lab = make_lab(find_lab("17"), shot);
     const auto draws = [&](const char* method, const char* budget) {
         set_knob(*lab, "method", method), set_knob(*lab, "budget", budget);
@@ -201,7 +201,7 @@ TEST(TimeAndError, NoPixelJumpsWhileTheEyeMovesSlowly) {
     // that two frames show moves by at most the budget beyond its exact motion.
     const double budget = 0.5;
     const auto step = [](int frame) {
-        Orbit camera = views[0].camera;
+        Orbit camera = four_views[0].camera;
         camera.target.x += 0.01 * frame;
         return camera;
     };
@@ -246,7 +246,7 @@ TEST(TimeAndError, TheWallHasNoHole) {
     wall.set("budget", "0.5");
     for (const char* triangle_taps : {"1000", "0"}) {
         wall.set("triangle_taps", triangle_taps);
-        for (const View& view : views) {
+        for (const View& view : four_views) {
             const Image shown = wall.drawn(view.camera, "uv"), truth = wall.truth(view.camera, "uv");
             // At the border of the wall, the outline may differ by a pixel.
             const auto has = [](const Image& image, int x, int y) { return std::isfinite(*image.pixel(x, y)); };
@@ -266,7 +266,7 @@ TEST(TimeAndError, DoesLessWorkThanAnySingleSearch) {
     Wall wall("wall");
     const auto work = [&](const char* method, const char* budget) {
         wall.set("method", method), wall.set("budget", budget);
-        return wall.work(views[0].camera, {256, 256});
+        return wall.work(four_views[0].camera, {256, 256});
     };
     // Half as many pixels per side: half a pixel then equals one pixel before.
     const double all = work("auto", "0.5");

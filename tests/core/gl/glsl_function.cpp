@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-constexpr const char* names = "abcdefgh";
+constexpr const char* attribute_names = "abcdefgh";
 
 std::string with_mistake(std::string text, const PlantedMistake& mistake) {
     if (mistake.find.empty()) return text;
@@ -23,7 +23,8 @@ std::string with_mistake(std::string text, const PlantedMistake& mistake) {
 std::string stage_text(const std::string& file, const std::string& expression, const char* other) {
     std::string text = "#version 410 core\n#include \"" + file + "\"\nuniform sampler2D s_map;\nuniform " + other +
                        " s_other;\nout vec4 o_result;\n";
-    for (int i = 0; i < 8; ++i) text += "layout(location = " + std::to_string(i) + ") in vec4 " + names[i] + ";\n";
+    for (int i = 0; i < 8; ++i)
+        text += "layout(location = " + std::to_string(i) + ") in vec4 " + attribute_names[i] + ";\n";
     return text + "void main() { o_result = " + expression + "; }\n";
 }
 
