@@ -3,7 +3,7 @@
 
 #include <chrono>
 #include <memory>
-#include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -33,11 +33,13 @@ public:
     std::string display() const { return ":" + number(); }
 
 private:
+    /// Returns the line that is a number. A server may print others before it, and may have begun one.
     std::string number() const {
-        static const std::regex whole_line("(^|\n)([0-9]+)\n");
-        std::smatch found;
         const std::string text = server_->err();
-        return std::regex_search(text, found, whole_line) ? found[2].str() : "";
+        std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+        for (std::string line; std::getline(lines, line);)
+            if (!line.empty() && line.find_first_not_of("0123456789") == line.npos) return line;
+        return "";
     }
     std::unique_ptr<Process> server_;
 };

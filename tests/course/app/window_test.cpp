@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <regex>
+#include <cstdio>
 #include <thread>
 
 #include "framework/core/base/text.h"
@@ -73,25 +73,33 @@ protected:
             run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_).code,
             0);
     }
-    std::vector<FrameLine> frames() const {
-        static const std::regex form(
-            "frame (\\d+): (\\w+), (\\d+) GL objects, (\\d+) draw calls, (\\d+) texture bytes");
-        std::vector<FrameLine> result;
+    /// Returns what the window has printed, without a line that it has only begun.
+    std::string whole_lines() const {
         const std::string text = window_->err();
-        for (auto found = std::sregex_iterator(text.begin(), text.end(), form); found != std::sregex_iterator();
-             ++found)
-            result.push_back({std::stoi((*found)[1]), (*found)[2], std::stoi((*found)[3]), std::stoi((*found)[4]),
-                              std::stoll((*found)[5])});
+        return text.substr(0, text.rfind('\n') + 1);
+    }
+    std::vector<FrameLine> frames() const {
+        std::vector<FrameLine> result;
+        for (const std::string& line : split(whole_lines(), '\n')) {
+            FrameLine frame;
+            char lab[64] = {};
+            const size_t at = line.find("] frame ");
+            if (at == line.npos || std::sscanf(line.c_str() + at + 2,
+                                               "frame %d: %63[^,], %d GL objects, %d draw calls, %lld texture bytes",
+                                               &frame.number, lab, &frame.objects, &frame.draws, &frame.bytes) != 5)
+                continue;
+            frame.lab = lab;
+            result.push_back(frame);
+        }
         return result;
     }
     Place place() const {
-        static const std::regex form("picture: (\\d+)x(\\d+) at (\\d+),(\\d+); panel (\\d+); scale ([0-9.]+)");
+        const std::string text = whole_lines();
+        const size_t at = text.rfind("picture: ");
         Place last;
-        const std::string text = window_->err();
-        for (auto found = std::sregex_iterator(text.begin(), text.end(), form); found != std::sregex_iterator();
-             ++found)
-            last = {std::stoi((*found)[1]), std::stoi((*found)[2]), std::stoi((*found)[3]),
-                    std::stoi((*found)[4]), std::stoi((*found)[5]), std::stod((*found)[6])};
+        if (at != text.npos)
+            std::sscanf(text.c_str() + at, "picture: %dx%d at %d,%d; panel %d; scale %lf", &last.width, &last.height,
+                        &last.x, &last.y, &last.panel, &last.scale);
         return last;
     }
     /// Returns a screenshot by xwd with 3 channels. The window is in the upper left corner.
@@ -106,11 +114,13 @@ protected:
         };
         const size_t pixels = number(0) + size_t(number(19)) * 12, line = number(12), step = number(11) / 8;
         Image image(int(number(4)), int(number(5)), 3, 8);
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                for (size_t c = 0; c < 3; ++c)  // blue, green, red
-                    image.pixel(x, y)[c] =
-                        float(uint8_t(bytes.at(pixels + size_t(y) * line + size_t(x) * step + 2 - c))) / 255;
+        if (bytes.size() < pixels + size_t(image.height) * line) throw std::runtime_error("a short screenshot");
+        float* value = image.values.data();
+        for (int y = 0; y < image.height; ++y) {
+            const char* byte = bytes.data() + pixels + size_t(y) * line;  // blue, green, red
+            for (int x = 0; x < image.width; ++x, byte += step)
+                for (const int c : {2, 1, 0}) *value++ = float(uint8_t(byte[c])) / 255;
+        }
         return image;
     }
     /// Returns whether the screen shows rows [first, end) of a picture at the right edge of the picture's place.

@@ -31,10 +31,9 @@ public:
 
 private:
     std::string port() const {
-        static const std::regex line("port ([0-9]+) ");
-        std::smatch found;
         const std::string text = process_.err();
-        return std::regex_search(text, found, line) ? found[1].str() : "";
+        const size_t at = text.find(" port "), end = at == text.npos ? at : text.find(' ', at + 6);
+        return end == text.npos ? "" : text.substr(at + 6, end - at - 6);
     }
     Process process_;
 };
