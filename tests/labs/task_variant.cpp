@@ -4,6 +4,7 @@
 
 #include "framework/core/image/file.h"
 #include "framework/course/check/check.h"
+#include "framework/staff/grade/stage.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
@@ -24,7 +25,6 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::Course
         fs::create_directories(file.parent_path());
         write_image(file, *image->second);
     }
-    const fs::path objects = build / "CMakeFiles" / ("lab_objects_" + lab.two_digits() + ".dir") / "labs" / lab.folder;
     std::vector<std::string> command = {RELIEF_COMPILER, "-std=c++20", "-O1", "-I" + source.string(),
                                         "-I" + (source / "labs" / lab.folder).string()};
 #ifdef RELIEF_SANITIZED
@@ -32,11 +32,7 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::Course
 #endif
     for (const auto& [name, text] : files)  // each file is a translation unit
         if (name.ends_with(".cpp")) command.push_back((course.root() / name).string());
-    for (const auto& entry : fs::directory_iterator(objects)) {
-        const std::string object = entry.path().filename();  // "task.cpp.o"
-        const bool replaced = files.contains("labs/" + lab.folder + "/" + entry.path().stem().string());
-        if (object.ends_with(".o") && !replaced) command.push_back(entry.path());
-    }
+    for (const fs::path& object : grade::built_objects(lab, files)) command.push_back(object);
     const fs::path program = course.root() / "bin" / ("lab-" + lab.two_digits());
     const fs::path main =
         build / "CMakeFiles" / ("lab-" + lab.two_digits() + ".dir") / "framework/course/app/main.cpp.o";

@@ -82,6 +82,18 @@ CourseFiles solution_files(const Manifest& manifest) {
     return files;
 }
 
+std::vector<fs::path> built_objects(const LabEntry& lab, const CourseFiles& replaced) {
+    const fs::path list = fs::path(RELIEF_BUILD_FOLDER) / "generated/lab_objects" / lab.folder;
+    std::vector<fs::path> objects;
+    for (const std::string& object : split(read_file(list), '\n')) {
+        // The object of several sources has another name.
+        const size_t begin = object.rfind("labs/" + lab.folder + "/");
+        const std::string source = begin == object.npos ? "" : object.substr(begin, object.rfind('.') - begin);
+        if (!replaced.contains(source) && !is_the_staffs(source)) objects.emplace_back(object);
+    }
+    return objects;
+}
+
 namespace {
 
 const std::string prefix = "relief-grade-";
@@ -259,13 +271,8 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
     compile(precompiled, (include / precompiled).string() + ".gch", {"-x", "c++-header"});
     part.objects.push_back(here / "main.o");
     compile("main.cpp", part.objects.back(), {"-include", (include / precompiled).string()});
-    // The lab's other sources are compiled already, in the build that made this program. Task files and the staff's are
-    // objects of their own there.
-    for (const std::string& object : split(read_file(build / "generated/lab_objects" / lab.folder), '\n')) {
-        const size_t begin = object.rfind("labs/" + lab.folder + "/");
-        const std::string source = begin == object.npos ? "" : object.substr(begin, object.rfind('.') - begin);
-        if (part.sources.contains(source) || is_the_staffs(source)) continue;
-        part.objects.push_back(here / fs::path(object).filename());
+    for (const fs::path& object : built_objects(lab, part.sources)) {
+        part.objects.push_back(here / object.filename());
         fs::copy_file(object, part.objects.back());
     }
 

@@ -20,6 +20,10 @@ std::set<std::string> task_files(const Manifest& manifest);
 /// Returns these files with their solutions.
 CourseFiles solution_files(const Manifest& manifest);
 
+/// Returns the objects of a lab's sources in the build that made this program. Omits those of the sources in
+/// `replaced`, which can be task files in C++, and those of the staff's sources.
+std::vector<std::filesystem::path> built_objects(const LabEntry& lab, const CourseFiles& replaced);
+
 /// A temporary folder that the sandbox's user can read. The destructor removes it.
 class PublicFolder {
 public:
