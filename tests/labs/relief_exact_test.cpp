@@ -1,4 +1,8 @@
 // Lab 12: the exact hit is exact on every map and from every side. So are the values that depend on it.
+#include <fmt/format.h>
+
+#include <random>
+
 #include "framework/core/gl/counters.h"
 #include "framework/core/kit/relief_material.h"
 #include "framework/staff/reference/height_field.h"

@@ -1,6 +1,7 @@
 // relief web: makes the course's site with the labs in it, for a browser.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/core/base/error.h"
@@ -56,12 +57,24 @@ fs::path bundle_editor() {
     return bundle;
 }
 
+/// Returns the folder of the students' course that has these labs (see find_labs(); empty: all). A course of some labs
+/// replaces one that has others, whose module would be larger than asked for.
+fs::path course_with(const std::string& labs) {
+    const fs::path build = course_root() / "build";
+    if (labs.empty()) return build / "web-course";
+    const fs::path course = build / "web-course-some";
+    const std::vector<const LabEntry*> chosen = find_labs(labs);
+    for (const LabEntry& lab : registry())
+        if (fs::exists(course / "labs" / lab.folder) && std::find(chosen.begin(), chosen.end(), &lab) == chosen.end()) {
+            fs::remove_all(course);
+            break;
+        }
+    return course;
+}
+
 /// `labs`: see find_labs(); empty: all.
 int make_site(const fs::path& folder, const std::string& labs, bool quick) {
-    std::string name = "web-course";  // each choice of labs is a module of its own
-    if (!labs.empty())
-        for (const LabEntry* lab : find_labs(labs)) name += '-' + lab->two_digits();
-    const fs::path course = course_root() / "build" / name;
+    const fs::path course = course_with(labs);
     make_folder(folder);
     pin_software_renderer();
     const auto context = open_context(std::nullopt);

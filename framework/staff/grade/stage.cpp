@@ -14,7 +14,6 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/module.h"
-#include "framework/core/base/parallel.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
@@ -273,7 +272,7 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
     compile("main.cpp", part.objects.back(), {"-include", (include / precompiled).string()});
     for (const fs::path& object : built_objects(lab, part.sources)) {
         part.objects.push_back(here / object.filename());
-        fs::copy_file(object, part.objects.back());
+        put(part.objects.back(), read_file(object));
     }
 
     fs::copy_file(folder_.path() / "bin/librelief.so", here / "librelief.so");

@@ -1116,14 +1116,18 @@ TEST(Grade, TestsItselfOnAWholeLab) {
     EXPECT_FALSE(contains(tested.out, "a sample")) << tested.out;
 }
 
-TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
+TEST(Grade, KillsMutantsOfASolution) {
     const Result tested = run(grade({"--mutate", "2", "--sample", "6", "--jobs", "2", "--json"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
     const json all = json::parse(tested.out);
     EXPECT_EQ(all["mutants"].size(), 6u);
     EXPECT_GE(all["kill_rate"].get<double>(), 0.97);
-    // Checks that ignore a vector's length let some mutants pass, if no example sees them. The comparison of pictures
-    // then finds the difference. A sample of 11 has one of them.
+}
+
+// Checks that ignore a vector's length let some mutants pass, if no example sees them. The comparison of pictures then
+// finds the difference. A sample of 11 has one of them.
+TEST(Grade, AMutantThatNoCheckSeesIsFoundByItsPicture) {
+    if (!tests_all()) GTEST_SKIP() << "uses 20 seconds of processor time: ./relief test --all";
     const CourseCopy blind;
     for (const char* needed : {"framework/core", "framework/course/check"})  // the grader compiles task 2.5
         fs::copy(fs::path(source_folder) / needed, blind.path() / needed, fs::copy_options::recursive);
@@ -1157,6 +1161,7 @@ TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
 }
 
 TEST(Grade, TheBenchmarkTimesAGraderThatPassesTheSolution) {
+    if (!tests_all()) GTEST_SKIP() << "uses 20 seconds of processor time: ./relief test --all";
     const TemporaryFolder folder;
     const Result timed = run({relief_program(), "bench", "grade", "--set", "tasks=shaders", "--quick", "--repeats", "1",
                               "-o", folder.path().string()});
