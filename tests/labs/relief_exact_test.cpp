@@ -123,7 +123,7 @@ TEST(ReliefExact, IsExactToATenthOfATexelOnTheLargestWalls) {
             shot.camera = {.yaw = yaw, .pitch = 0, .distance = 5};
             const Sources found = sources_of(shot, material.heights());
             EXPECT_GT(found.total.size(), size_t(pixels) * size_t(pixels) / 4);
-            const auto where = [&] { return fmt::format("{} at {} degrees", knobs.back().first, yaw); };
+            const auto where = [&, &knobs = knobs] { return fmt::format("{} at {} degrees", knobs.back().first, yaw); };
             // Also tests the total: a ray with an error of 0.03 texels can miss a post and hit far behind it.
             EXPECT_LE(of_99_percent(found.ray), 0.1) << where();
             EXPECT_LE(of_99_percent(found.search), 0.1) << where();
