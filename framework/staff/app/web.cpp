@@ -64,11 +64,11 @@ fs::path course_with(const std::string& labs) {
     if (labs.empty()) return build / "web-course";
     const fs::path course = build / "web-course-some";
     const std::vector<const LabEntry*> chosen = find_labs(labs);
-    for (const LabEntry& lab : registry())
-        if (fs::exists(course / "labs" / lab.folder) && std::find(chosen.begin(), chosen.end(), &lab) == chosen.end()) {
-            fs::remove_all(course);
-            break;
-        }
+    const auto is_another = [&](const LabEntry& lab) {
+        return fs::exists(course / "labs" / lab.folder) &&
+               std::find(chosen.begin(), chosen.end(), &lab) == chosen.end();
+    };
+    if (std::any_of(registry().begin(), registry().end(), is_another)) fs::remove_all(course);
     return course;
 }
 

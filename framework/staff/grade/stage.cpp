@@ -327,7 +327,8 @@ Ending ending_of(const ProcessResult& compiler) {
 
 }  // namespace
 
-/// Returns where to keep the program of a course whose C++ tasks are starters and solutions; empty if they are not.
+/// Returns the file that keeps the program of a course whose C++ tasks are all starters or solutions; empty if a task
+/// has other text.
 fs::path Stage::program_of_ours(const LabEntry& lab, const StagedCourse& course) const {
     const LabPart& part = labs_.at(lab.folder);
     std::string all = lab.folder;

@@ -20,8 +20,8 @@ std::set<std::string> task_files(const Manifest& manifest);
 /// Returns these files with their solutions.
 CourseFiles solution_files(const Manifest& manifest);
 
-/// Returns the objects of a lab's sources in the build that made this program. Omits those of the sources in
-/// `replaced`, which can be task files in C++, and those of the staff's sources.
+/// Returns the objects of a lab's sources in the build that made this program. Omits those of `replaced`, which may
+/// contain only task files because other sources share an object, and those of the staff's sources.
 std::vector<std::filesystem::path> built_objects(const LabEntry& lab, const CourseFiles& replaced);
 
 /// A temporary folder that the sandbox's user can read. The destructor removes it.

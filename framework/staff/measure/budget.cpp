@@ -56,31 +56,30 @@ std::vector<BenchScene> budget_scenes(const BenchSettings& settings) {
             scene.item = "frame";
             const auto wall = std::make_shared<Wall>(one.second);
             const auto add = [&](const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set) {
-                scene.methods.push_back({name, knobs, [=] {
-                                             const LabEntry& entry = find_lab("17");
-                                             Shot shot{.size = settings.size.value_or(usual_size),
-                                                       .time = 0,
-                                                       .camera = load_manifest(entry).camera,
-                                                       .probe = {"uv"},
-                                                       .set = together(set, knobs)};
-                                             shot.set = together(shot.set, {{"view", "picture"},
-                                                                            {"map", map},
-                                                                            {"size", "512"},
-                                                                            {"depth", fmt::format("{}", wall_depth)}});
-                                             const std::shared_ptr<Lab> lab = make_lab(entry, shot);
-                                             Shot timed = shot;
-                                             if (draws == "picture") timed.probe = {};
-                                             BenchSubject subject = drawn(lab, timed);
-                                             const Image errors =
-                                                 wall->errors(render_shot(*lab, shot), Camera(shot.camera, 1));
-                                             subject.error = error_over(errors, "pixel");
-                                             subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
-                                             if (settings.pictures) {
-                                                 show_picture(subject, *lab, shot);
-                                                 show_errors(subject, errors, 4);
-                                             }
-                                             return subject;
-                                         }});
+                const auto subject_of = [=] {
+                    const LabEntry& entry = find_lab("17");
+                    Shot shot{.size = settings.size.value_or(usual_size),
+                              .time = 0,
+                              .camera = load_manifest(entry).camera,
+                              .probe = {"uv"},
+                              .set = together(set, knobs)};
+                    const BenchKnobs view = {
+                        {"view", "picture"}, {"map", map}, {"size", "512"}, {"depth", fmt::format("{}", wall_depth)}};
+                    shot.set = together(shot.set, view);
+                    const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                    Shot timed = shot;
+                    if (draws == "picture") timed.probe = {};
+                    BenchSubject subject = drawn(lab, timed);
+                    const Image errors = wall->errors(render_shot(*lab, shot), Camera(shot.camera, 1));
+                    subject.error = error_over(errors, "pixel");
+                    subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
+                    if (settings.pictures) {
+                        show_picture(subject, *lab, shot);
+                        show_errors(subject, errors, 4);
+                    }
+                    return subject;
+                };
+                scene.methods.push_back({name, knobs, subject_of});
             };
             const auto budgets = {"0.5", "1", "2", "4"};
             for (const char* budget : budgets) add("auto", {{"budget", budget}}, {});
