@@ -1,5 +1,6 @@
-// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core`
-// has the parts of a lab, `course` the tools around the labs, and `staff` the code that students never get.
+// The arrows of the house: which room may include which, which code labs may share, and which calls and libraries only
+// one file may use. `core` has the parts of a lab, `course` the tools around the labs, and `staff` the code that
+// students never get.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -18,11 +19,11 @@ using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
 const std::map<std::string, int> floors = {
-    {"core/base", 0},     {"core/image", 1},    {"core/mesh", 1},    {"core/height", 2},    {"staff/reference", 3},
-    {"core/gl", 4},       {"core/context", 5},  {"core/lab", 6},     {"core/kit", 7},       {"course/inspect", 8},
-    {"course/check", 8},  {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10},
-    {"course/web", 9},    {"course/pages", 10}, {"staff/pages", 11}, {"staff/web", 11},     {"course/window", 11},
-    {"staff/slides", 11}, {"course/app", 12},   {"staff/app", 13}};
+    {"core/base", 0},     {"core/image", 1},     {"core/mesh", 1},    {"core/height", 2},    {"staff/reference", 3},
+    {"core/gl", 4},       {"core/context", 5},   {"core/lab", 6},     {"core/kit", 7},       {"course/inspect", 8},
+    {"course/check", 8},  {"staff/handout", 10}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10},
+    {"course/web", 9},    {"course/pages", 10},  {"staff/pages", 11}, {"staff/web", 11},     {"course/window", 11},
+    {"staff/slides", 11}, {"course/app", 12},    {"staff/app", 13}};
 
 /// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {
@@ -109,20 +110,126 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
     return wrong;
 }
 
-/// Calls `check` with the path, relative to the top folder, and the text of every source file of the course.
+/// Calls `check` with the path, relative to the top folder, and the text of every file below `folders` with one of the
+/// extensions.
 template <class Check>
-int each_source(Check check) {
+int each_file(const std::set<std::string>& folders, const std::set<std::string>& extensions, Check check) {
     const fs::path root = source_folder;
     int count = 0;
-    for (const char* folder : {"framework", "labs", "assets"})
+    for (const std::string& folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+            if (!extensions.contains(entry.path().extension().string())) continue;
             std::ifstream stream(entry.path());
             const std::string text{std::istreambuf_iterator<char>(stream), {}};
             check(entry.path().lexically_relative(root).string(), text);
             ++count;
         }
     return count;
+}
+
+/// Calls `check` with the path and the text of every C++ file of the course.
+template <class Check>
+int each_source(Check check) {
+    return each_file({"framework", "labs", "assets"}, {".cpp", ".h"}, check);
+}
+
+/// Returns what stands in quotes after `before`, with `before`: "framework/core/gl/gl.h".
+Lines quoted_names(const std::string& text, const std::string& before) {
+    Lines names;
+    for (size_t at = 0; (at = text.find('"' + before, at)) != std::string::npos;) {
+        const size_t end = text.find('"', ++at);
+        names.push_back(text.substr(at, end - at));
+        at = end;
+    }
+    return names;
+}
+
+/// Returns the common name of a header and its source, or the path of another file.
+std::string unit_of(const std::string& path) {
+    const size_t dot = path.rfind('.');
+    return path.ends_with(".h") || path.ends_with(".cpp") ? path.substr(0, dot) : path;
+}
+
+using Users = std::map<std::string, std::set<std::string>>;
+
+/// Returns the labs and the rooms that use each header of the core and each shader in shaders/common, directly or
+/// through others of them. `texts` are C++ files and shaders by their paths. A bench does not count as a user: what it
+/// measures belongs to a lab.
+Users users_of_shared_code(const std::map<std::string, std::string>& texts) {
+    Users users, direct;
+    for (const auto& [path, text] : texts) {
+        if ((path.starts_with("framework/core/") && path.ends_with(".h")) || path.starts_with("shaders/common/"))
+            users[unit_of(path)];
+        for (const std::string& name : quoted_names(text, "framework/core/")) direct[unit_of(name)].insert(path);
+        for (const std::string& name : quoted_names(text, "shaders/common/")) direct[name].insert(path);
+        for (const std::string& name : quoted_names(text, "common/")) direct["shaders/" + name].insert(path);
+    }
+    static const std::regex lab("(?:labs|shaders)/([0-9][0-9]_[a-z0-9_]+)/.*");
+    for (bool is_growing = true; is_growing;) {
+        is_growing = false;
+        for (auto& [unit, all] : users) {
+            const size_t before = all.size();
+            for (const std::string& path : direct[unit]) {
+                std::smatch match;
+                if (const auto through = users.find(unit_of(path)); through != users.end())
+                    all.insert(through->second.begin(), through->second.end());
+                else if (std::regex_match(path, match, lab))
+                    all.insert("labs/" + match[1].str());
+                else if (part_of(path) != "staff/measure")
+                    all.insert(part_of(path));
+            }
+            is_growing = is_growing || all.size() > before;
+        }
+    }
+    return users;
+}
+
+/// Returns the shared code that one lab alone uses, or nobody, with this user: "framework/core/mesh/clip: labs/17_x".
+Lines lonely(const Users& users) {
+    Lines found;
+    for (const auto& [unit, all] : users)
+        if (all.empty() || (all.size() == 1 && all.begin()->starts_with("labs/")))
+            found.push_back(unit + ": " + (all.empty() ? "nobody" : *all.begin()));
+    return found;
+}
+
+TEST(SharedCode, IsUsedByTwoLabsOrByAnotherRoom) {
+    const Lines exceptions = {
+        // The bench of lab 02 measures it, from framework/staff/measure.
+        "framework/core/image/bc1: labs/02_normal_map_storage",
+        // The twin of framework/staff/reference/mesh_rays.h, with which other labs compute exact values.
+        "shaders/common/mesh_rays.glsl: labs/07_baking",
+    };
+    std::map<std::string, std::string> texts;
+    each_file({"framework", "labs", "assets", "shaders"}, {".cpp", ".h", ".glsl", ".vert", ".frag", ".tesc", ".tese"},
+              [&](const std::string& file, const std::string& text) { texts[file] = text; });
+    const Users users = users_of_shared_code(texts);
+    EXPECT_GT(users.size(), 50u) << "the course shares more than that";
+    EXPECT_EQ(lonely(users), exceptions) << "a lab's own code is at home in its folder";
+}
+
+TEST(SharedCode, FindsAPlantedHeaderOfOneLab) {
+    std::map<std::string, std::string> texts = {
+        {"framework/core/mesh/mesh.h", ""},
+        {"framework/core/mesh/mesh.cpp", "#include \"framework/core/mesh/mesh.h\"\n"},
+        {"framework/core/mesh/clip.h", "#include \"framework/core/mesh/mesh.h\"\n"},
+        {"framework/staff/measure/clips.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
+        {"labs/07_baking/staff/truth.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
+        {"labs/07_baking/lab.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
+        {"shaders/common/ray.glsl", ""},
+        {"shaders/07_baking/walk.glsl", "#include \"common/ray.glsl\"\n"},
+    };
+    EXPECT_EQ(lonely(users_of_shared_code(texts)),
+              (Lines{"framework/core/mesh/clip: labs/07_baking", "framework/core/mesh/mesh: labs/07_baking",
+                     "shaders/common/ray.glsl: labs/07_baking"}));
+    texts["labs/08_torus/torus.cpp"] = "#include \"framework/core/mesh/mesh.h\"\n";
+    texts["framework/core/gl/rays.h"] = "Programs rays{\"common/ray.glsl\"};\n";
+    EXPECT_EQ(lonely(users_of_shared_code(texts)),
+              (Lines{"framework/core/gl/rays: nobody", "framework/core/mesh/clip: labs/07_baking",
+                     "shaders/common/ray.glsl: labs/07_baking"}));
+    texts["framework/course/window/menu.cpp"] =
+        "#include \"framework/core/mesh/clip.h\"\n#include \"framework/core/gl/rays.h\"\n";
+    EXPECT_EQ(lonely(users_of_shared_code(texts)), Lines());
 }
 
 TEST(Arrows, PointDown) {

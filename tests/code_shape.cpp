@@ -4,15 +4,19 @@
 #include <cctype>
 #include <regex>
 
+#include "framework/core/base/code_text.h"
 #include "framework/core/base/text.h"
 
 namespace relief {
 
 std::string shape_of(const std::string& text) {
-    static const std::regex dropped("//[^\n]*|\\b(glm|std)::"), word("[A-Za-z_]\\w*|[0-9][\\w.]*|[^\\s\\w]");
-    const std::string code = std::regex_replace(text, dropped, "");
     std::vector<std::string> words;
-    for (std::sregex_iterator at(code.begin(), code.end(), word), end; at != end; ++at) words.push_back(at->str());
+    for (const CodeToken& token : code_tokens(text)) {
+        const bool ends_scope = words.size() > 2 && words.back() == ":" && words[words.size() - 2] == ":" &&
+                                (words[words.size() - 3] == "glm" || words[words.size() - 3] == "std");
+        if (ends_scope) words.resize(words.size() - 3);
+        words.push_back(token.text);
+    }
     std::string shape;
     for (size_t i = 0; i < words.size(); ++i) {
         const unsigned char first = static_cast<unsigned char>(words[i][0]);

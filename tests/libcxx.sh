@@ -6,7 +6,7 @@
 #   BUILD=build/libcxx     the folder of the build, which the next run continues
 #
 # Needs the Debian packages of the purposes build, staff, test and ci (framework/cmake/packages.txt), libc++-dev and
-# libc++abi-dev, and a network for the source of tinyobjloader. Takes about five minutes on two cores.
+# libc++abi-dev. Takes about five minutes on two cores.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -37,7 +37,7 @@ mkdir -p "$build/usr/lib/cmake/tomlplusplus"
 echo 'add_library(tomlplusplus::tomlplusplus INTERFACE IMPORTED)' \
   >"$build/usr/lib/cmake/tomlplusplus/tomlplusplusConfig.cmake"
 step "configuring" cmake -S "$course" -B "$build" "${with[@]}" -DCMAKE_PREFIX_PATH="$build/usr" \
-  -DCMAKE_CXX_FLAGS='-stdlib=libc++ -DFMT_HEADER_ONLY' -DCMAKE_DISABLE_FIND_PACKAGE_tinyobjloader=ON
+  -DCMAKE_CXX_FLAGS='-stdlib=libc++ -DFMT_HEADER_ONLY'
 step "building" ninja -C "$build" cpu_tests
 step "running the tests without GL" "$build/bin/cpu_tests"
 say "all passed"

@@ -1,8 +1,37 @@
 # Labs: every folder of labs/ with a lab.toml is a lab. No other file lists them.
 #
 # relief_add_labs(FOLDER) adds an executable lab-NN for each FOLDER/NN_name, with that lab alone, and the executable
-# `relief` with all of them. It sets RELIEF_LABS to the list of their object libraries. All are linked to the library of
+# `relief` with all of them, and check-NN for a lab with a C++ task. It sets RELIEF_LABS to the list of their object libraries. All are linked to the library of
 # exact values if it exists, even if they call nothing in it, because it says that it is there.
+include(${CMAKE_CURRENT_LIST_DIR}/calls.cmake)
+include(CheckCXXSourceCompiles)
+
+# Adds the executable check-NN, by which `relief check` runs the lab's checks: only task.cpp is compiled again, with the
+# assertions of the C++ library, and with sanitizers if they are installed.
+function(relief_add_checker number lab_folder)
+  set(sanitizers -fsanitize=address,undefined)
+  set(CMAKE_REQUIRED_FLAGS ${sanitizers})
+  set(CMAKE_REQUIRED_LINK_OPTIONS ${sanitizers})
+  check_cxx_source_compiles("int main() { return 0; }" RELIEF_HAS_SANITIZERS)
+  add_library(check_objects_${number} OBJECT ${lab_folder}/task.cpp)
+  target_compile_definitions(check_objects_${number} PRIVATE _GLIBCXX_ASSERTIONS RELIEF_LAB_FOLDER="")
+  target_include_directories(check_objects_${number} PRIVATE ${lab_folder})
+  target_link_libraries(check_objects_${number} PRIVATE relief_framework relief_warnings)
+  # -g1: reports then name lines.
+  target_compile_options(check_objects_${number} PRIVATE -O1 -g1)
+  add_executable(check-${number} ${RELIEF_MAIN}
+    $<TARGET_OBJECTS:check_objects_${number}>
+    "$<FILTER:$<TARGET_OBJECTS:lab_objects_${number}>,EXCLUDE,/task\\.cpp\\.>")
+  target_link_libraries(check-${number} PRIVATE relief_framework $<TARGET_NAME_IF_EXISTS:relief_truth>)
+  target_link_options(check-${number} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:--no-as-needed>)
+  if(RELIEF_HAS_SANITIZERS)
+    # A report does not end the process, so the check's verdict is that of the program without sanitizers.
+    target_compile_options(check_objects_${number} PRIVATE ${sanitizers} -fsanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(check-${number} PRIVATE ${sanitizers})
+    target_sources(check-${number} PRIVATE ${PROJECT_SOURCE_DIR}/framework/course/app/sanitizers.cpp)
+  endif()
+endfunction()
+
 function(relief_add_labs folder)
   file(GLOB manifests CONFIGURE_DEPENDS ${folder}/*/lab.toml)
   set(labs)
@@ -22,6 +51,10 @@ function(relief_add_labs folder)
       # The grader links a student's C++ task with the other objects of its lab.
       file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/generated/lab_objects/${name}
         CONTENT "$<JOIN:$<TARGET_OBJECTS:lab_objects_${number}>,\n>")
+    endif()
+    if(EXISTS ${lab_folder}/task.h)
+      relief_write_calls(${lab_folder} ${PROJECT_BINARY_DIR}/generated/calls/${name}.cpp)
+      list(APPEND sources ${PROJECT_BINARY_DIR}/generated/calls/${name}.cpp)
     endif()
     if(TARGET lab_objects_${number})
       message(FATAL_ERROR "two labs have the number ${number}: labs/${name} is the second")
@@ -46,6 +79,10 @@ function(relief_add_labs folder)
     target_link_libraries(lab-${number} PRIVATE lab_objects_${number})
     target_link_options(lab-${number} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:--no-as-needed>)
     list(APPEND programs lab-${number})
+    if(EXISTS ${lab_folder}/task.cpp AND NOT RELIEF_SANITIZE)
+      relief_add_checker(${number} ${lab_folder})
+      list(APPEND programs check-${number})
+    endif()
   endforeach()
   add_executable(relief ${RELIEF_MAIN})
   target_link_libraries(relief PRIVATE ${labs})

@@ -60,15 +60,3 @@ configure_file(${libpng_SOURCE_DIR}/scripts/pnglibconf.h.prebuilt ${settings}/pn
 target_include_directories(relief_png SYSTEM PUBLIC ${libpng_SOURCE_DIR} ${settings})
 target_link_libraries(relief_png PUBLIC relief_zlib)
 set(PNG_VERSION_STRING 1.6.39)
-
-if(NOT CMAKE_CROSSCOMPILING)
-  return()  # rare_libraries.cmake fetches it
-endif()
-set(tinyobjloader_FOUND ON)
-relief_take_headers(relief_tinyobj tiny_obj_loader.h tiny_obj_loader.h)
-file(WRITE ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp.new
-  "#define TINYOBJLOADER_IMPLEMENTATION\n#include <tiny_obj_loader.h>\n")
-file(COPY_FILE ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp.new ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp
-  ONLY_IF_DIFFERENT)
-relief_compile(relief_tinyobjloader tinyobjloader::tinyobjloader ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp)
-target_link_libraries(relief_tinyobjloader PUBLIC relief_tinyobj)

@@ -1,15 +1,9 @@
-# Three libraries of which Debian has packages and other systems do not, or with other folders and versions. What is not
+# Two libraries of which Debian has packages and other systems do not, or with other folders and versions. What is not
 # found is fetched in Debian's version.
 include(framework/cmake/fetch.cmake)
 if(NOT imgui_FOUND)
   include(framework/cmake/fetched_imgui.cmake)
   target_link_libraries(relief_imgui PUBLIC glfw)
-endif()
-if(NOT tinyobjloader_FOUND)
-  relief_fetch(tinyobjloader t/tinyobjloader/tinyobjloader_2.0.0~rc10+dfsg.orig.tar.xz
-    a20c0b2aac17d91e84cd40a302d93c0c26020952269c389cdf32d8529eb8d829)
-  relief_compile(relief_tinyobjloader tinyobjloader::tinyobjloader ${tinyobjloader_SOURCE_DIR}/tiny_obj_loader.cc)
-  target_include_directories(relief_tinyobjloader SYSTEM PUBLIC ${tinyobjloader_SOURCE_DIR})
 endif()
 if(NOT RELIEF_MUSTACHE)
   relief_fetch(mustache libk/libkainjow-mustache/libkainjow-mustache_4.1+ds.orig.tar.xz

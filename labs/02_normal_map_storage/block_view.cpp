@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "blocks.h"
+#include "encoded_texture.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/encoded_texture.h"
 #include "framework/core/image/bc1.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/kit/numbers.h"

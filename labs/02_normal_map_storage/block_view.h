@@ -21,9 +21,9 @@ public:
     /// often.
     enum Format { bc1, bc5, bc5_snorm, bytes, rgb8, rgb8_snorm, snorm_codes, snorm_twice };
     static constexpr auto formats = choices<Format>({{bc1, "bc1", "COLORS"},
-                                                     {bc5, "bc5", "TWO_UNSIGNED"},
+                                                     {bc5, "bc5"},
                                                      {bc5_snorm, "bc5-snorm", "TWO_SIGNED"},
-                                                     {bytes, "rg8", "TWO_UNSIGNED"},
+                                                     {bytes, "rg8"},
                                                      {rgb8, "rgb8", "COLORS"},
                                                      {rgb8_snorm, "rgb8-snorm", "THREE_SIGNED"},
                                                      {snorm_codes, "snorm-codes", "CODES"},

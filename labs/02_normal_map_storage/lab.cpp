@@ -177,8 +177,7 @@ private:
             labels_.caption(size, tile, -2,
                             fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
         if (!mismatch_)
-            labels_.caption(size, tile, -1,
-                            fmt::format("{} {}~ {}~", about.source, rounded(about.mean), rounded(about.largest)),
+            labels_.caption(size, tile, -1, fmt::format("table {}~ {}~", rounded(about.mean), rounded(about.largest)),
                             {0.62f, 0.63f, 0.65f});
     }
 

@@ -33,7 +33,7 @@ public:
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
             if (view_ == frames) {
-                draw_frame_kind(frame_in(frame, tiles[i]), frame.size, tiles[i], frame_kind_of(i));
+                draw_frame_kind(frame, tiles[i], frame_kind_of(i));
             } else {
                 const int method = method_of(i);
                 draw_surface(frame_in(frame, tiles[i]), tiles[i], method);
@@ -147,31 +147,33 @@ private:
 
     /// Gives the mesh of method angle a B at each vertex: the mean of the triangles' B with the weights of T.
     void attach_bitangents() {
-        bitangents_.get({mesh_inputs()}, [&] {
+        const GpuMesh& mesh = mesh_of(angle);
+        bitangents_.get({meshes_.version()}, [&] {
             std::vector<glm::vec3> directions;
             for (const Vertex& vertex : make(angle, Axis::bitangent).vertices) directions.emplace_back(vertex.tangent);
             VertexStream stream({{4, 3, GL_FLOAT, 0}});
             stream.fill(std::span<const glm::vec3>(directions));
-            stream.attach(mesh_of(angle).layout());
+            stream.attach(mesh.layout());
             return stream;
         });
     }
 
-    void draw_frame_kind(const Frame& frame, glm::ivec2 size, const Tile& tile, FrameKind kind) {
+    void draw_frame_kind(const Frame& frame, const Tile& tile, FrameKind kind) {
         constexpr std::array titles = {"", "B = w (N x T)", "T and B averaged", "made orthogonal", "by N alone"};
-        labels_.caption(size, tile, 0, titles[size_t(kind)]);
+        labels_.caption(frame.size, tile, 0, titles[size_t(kind)]);
         attach_bitangents();
         if (!frame.probe && has_frame_formula() && tile.size.x > 0 && tile.size.y > 0) {
-            const Image drawn = draw_numbers(tile.size, [&] {
-                draw_surface(frame, {{0, 0}, tile.size}, angle, frame_kinds.define(kind), "MEASURE");
+            constexpr Tile measured{{0, 0}, {256, 256}};
+            const Image drawn = draw_numbers(measured.size, [&] {
+                draw_surface(frame_in(frame, measured), measured, angle, frame_kinds.define(kind), "MEASURE");
             });
             const auto mean = [&](int channel) {
                 const double degrees = summarize(channels_of(drawn, channel, 1)).mean;
                 return rounded(degrees < 5e-4 ? 0 : degrees);
             };
-            labels_.caption(size, tile, -1, fmt::format("T {}~ B {}~ off", mean(0), mean(1)));
+            labels_.caption(frame.size, tile, -1, fmt::format("T {}~ B {}~ off", mean(0), mean(1)));
         }
-        draw_surface(frame, tile, angle, frame_kinds.define(kind));
+        draw_surface(frame_in(frame, tile), tile, angle, frame_kinds.define(kind));
     }
 
     void draw_surface(const Frame& frame, const Tile& tile, int method, const Define& kind = "",
@@ -232,7 +234,7 @@ private:
     Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Kept<std::map<int, GpuMesh>, MeshInputs> meshes_;  ///< by method
-    Kept<VertexStream, MeshInputs> bitangents_;
+    Kept<VertexStream, int> bitangents_;               ///< by the version of meshes_, to one of which it is attached
     Kept<std::map<int, std::string>, int> distances_;  ///< by method
     OwnMesh own_{box_half * std::sqrt(3.0)};
     Labels labels_;

@@ -134,11 +134,13 @@ private:
     void draw_surface(const Frame& frame, const Tile& tile, const Way& way) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const bool map = normals_from_ == from_map;
+        // Without a scaling, both orders apply the rotation alone.
+        const Define order = order_ == 1 && scaling() != glm::dvec3(1) ? "ONE_BY_ONE" : "";
         const Program& surface =
             map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
                                  turn() != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
-                                 troubles.define(trouble_), order_ == 1 ? "ONE_BY_ONE" : ""})
-                : surface_.with({frame.probe, way.normals, order_ == 1 ? "ONE_BY_ONE" : ""});
+                                 troubles.define(trouble_), order})
+                : surface_.with({frame.probe, way.normals, order});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_world_from_model", world_from_model(way));

@@ -8,9 +8,9 @@
 #include "framework/core/gl/texel_target.h"
 #include "framework/core/kit/choices.h"
 #include "framework/core/kit/kept.h"
-#include "framework/core/kit/ray_mesh.h"
 #include "framework/core/kit/window_triangle.h"
 #include "models.h"
+#include "ray_mesh.h"
 
 namespace relief::baking {
 

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "framework/core/mesh/section.h"
+#include "section.h"
 
 namespace relief::baking {
 namespace {

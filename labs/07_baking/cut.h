@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "baker.h"
-#include "framework/core/kit/line_drawing.h"
+#include "line_drawing.h"
 
 namespace relief::baking {
 

@@ -9,7 +9,6 @@
 
 #include "captions.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/gl/light_target.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
@@ -18,6 +17,7 @@
 #include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
 #include "lamp_cut.h"
+#include "light_target.h"
 #include "mask_levels.h"
 #include "surfaces.h"
 #include "task.h"

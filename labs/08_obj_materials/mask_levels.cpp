@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/kit/numbers.h"
-#include "framework/core/kit/obj_textures.h"
+#include "obj_textures.h"
 #include "truth.h"
 
 namespace relief::materials {

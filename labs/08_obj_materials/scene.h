@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/core/gl/gpu_mesh.h"
-#include "framework/core/kit/obj_textures.h"
+#include "obj_textures.h"
 
 namespace relief::materials {
 

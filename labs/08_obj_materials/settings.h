@@ -31,7 +31,7 @@ struct Settings {
                                                      {taps_4, "4", "TAPS 4"},
                                                      {taps_8, "8", "TAPS 8"},
                                                      {taps_16, "16", "TAPS 16"},
-                                                     {samples, "samples", "MANY_SAMPLES"}});
+                                                     {samples, "samples"}});
     enum Order { sorted, of_file, backwards, weighted };
     static constexpr auto orders = choices<Order>(
         {{sorted, "sorted"}, {of_file, "file"}, {backwards, "backwards"}, {weighted, "weighted", "WEIGHTED"}});

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "framework/core/gl/light_target.h"
 #include "framework/core/lab/lab.h"
+#include "light_target.h"
 #include "scene.h"
 #include "settings.h"
 

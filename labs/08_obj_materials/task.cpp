@@ -11,8 +11,8 @@
 namespace relief::materials {
 
 // TASK 8.1 (3 points): what does a picture hold that an MTL file names as map_bump? The format says heights; many files
-// name a normal map. Nothing but the texels tells. (color_of() gives the first three channels of each of the
-// image.pixel_count() texels, where image.channels is 3 or 4.)
+// name a normal map. Nothing but the texels tells: ask in this order. (color_of() gives the first three channels of
+// each of the image.pixel_count() texels, where image.channels is 3 or 4.)
 //  - Heights: one channel; or, in 99 of 100 texels, no two channels differ by more than 2/255.
 //  - Normals: in 99 of 100 texels, 2 c - 1 of the colour c has a length within 0.1 of 1, and z > 0.
 //  - Else neither: the lab then leaves the map out. So it does with two channels.

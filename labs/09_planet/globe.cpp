@@ -124,9 +124,6 @@ void Globe::make_maps() {
         const int rows = (slots_.capacity() + map_columns - 1) / map_columns;
         map_ = std::make_unique<TexelTarget>(glm::ivec2(map_columns, rows) * (recipe_.texels + 2),
                                              std::initializer_list<GLenum>{GL_RGBA32F});
-        map_->bind(0);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     }
     std::vector<SpherePatch> fresh;
     for (auto& [id, slot] : slots_)

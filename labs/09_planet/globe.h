@@ -6,10 +6,10 @@
 #include <span>
 
 #include "framework/core/gl/texel_target.h"
-#include "framework/core/kit/slots.h"
 #include "framework/core/lab/lab.h"
-#include "framework/core/mesh/skirted_patch.h"
 #include "patches.h"
+#include "skirted_patch.h"
+#include "slots.h"
 
 namespace relief::planet {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "framework/core/height/sphere_patches.h"
+#include "eye.h"
 #include "framework/core/kit/choices.h"
-#include "framework/core/kit/eye.h"
 #include "heights.h"
+#include "sphere_patches.h"
 
 namespace relief::planet {
 

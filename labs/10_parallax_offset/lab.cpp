@@ -27,7 +27,7 @@ public:
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
         const bool words = !frame.probe && view_ != eye && (view_ == strip || show_ != light);
-        const std::vector<ErrorSummary> found = words ? measure(sights) : std::vector<ErrorSummary>();
+        const std::vector<ErrorSummary> found = words ? measure(frame, sights) : std::vector<ErrorSummary>();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const Sight& sight : sights) draw_tile(sight);
@@ -55,15 +55,12 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        const auto exact = offsets::truth(probe, surface_);
+        if (!exact) return {};
+        const std::vector<Sight> sights = sights_of(frame);
         std::vector<Tile> tiles;
-        std::vector<Frame> frames;
-        for (const Sight& sight : sights_of(frame)) {
-            tiles.push_back(sight.tile);
-            frames.push_back(sight.frame);
-        }
-        const std::vector<Image> images = offsets::truths(frames, probe, surface_);
-        if (images.empty()) return {};
-        return truth_in_tiles(frame, tiles, [&](const Frame&, size_t i) { return images[i]; });
+        for (const Sight& sight : sights) tiles.push_back(sight.tile);
+        return truth_in_tiles(frame, tiles, [&](const Frame&, size_t i) { return exact(sights[i].frame); });
     }
 
 private:
@@ -167,19 +164,21 @@ private:
         surface_.draw();
     }
 
-    /// Returns the error of each sight in texels over 64 x 64 rays, computed by the shader. It has no pixels before the
-    /// tasks are written.
-    const std::vector<ErrorSummary>& measure(const std::vector<Sight>& sights) {
+    /// Returns the error of each sight in texels, computed by the shader. It is measured in a picture of 64 x 64
+    /// pixels, so it does not depend on the size of the tile. It has no pixels before the tasks are written.
+    const std::vector<ErrorSummary>& measure(const Frame& frame, std::vector<Sight> sights) {
+        constexpr int side = 64;
+        const Frame square = frame_in(frame, {{0, 0}, {side, side}});
         std::vector<GLuint> programs;
         std::vector<glm::dmat4> cameras;
-        std::vector<std::string> knobs;
-        for (const Sight& sight : sights) {
+        int steps = 0;
+        for (Sight& sight : sights) {
+            sight.frame = view_ == one ? square : from_afar(square, sight.degrees);
             programs.push_back(program(sight, "MEASURE"));
             cameras.push_back(sight.frame.camera.clip_from_world());
+            if (sight.method == steep) steps = steps_;
         }
-        for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return errors_.get({programs, cameras, knobs}, [&] {
-            constexpr int side = 64;
+        return errors_.get({programs, cameras, surface_.version(), surface_.mapping(), surface_.shape, steps}, [&] {
             const Image drawn = draw_numbers({side, side * int(sights.size())}, [&] {
                 for (size_t i = 0; i < sights.size(); ++i) {
                     glViewport(0, side * int(i), side, side);
@@ -234,7 +233,7 @@ private:
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
     Labels labels_;
-    Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, std::vector<std::string>> errors_;
+    Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, int, ReliefMapping, int, int> errors_;
     DistantLight light_;
 
     int view_ = strip, method_ = steep, steps_ = 32, show_ = half_and_half, eye_ = 0;

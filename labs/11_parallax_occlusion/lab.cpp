@@ -27,7 +27,7 @@ public:
         std::vector<Figures> figures(tiles.size());
         const bool shows_error = view_ == compare && show_ != picture && !frame.probe;
         if (view_ == compare && !frame.probe)
-            for (size_t i = 0; i < tiles.size(); ++i) figures[i] = measure(i, frame_in(frame, tiles[i]));
+            for (size_t i = 0; i < tiles.size(); ++i) figures[i] = measure(i, frame, tiles[i].size.y);
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_SCISSOR_TEST);
@@ -66,9 +66,9 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return occlusion::truth(part, probe, surface_.mesh(), surface_.mapping(), surface_.heights());
-        });
+        const auto exact = occlusion::truth(probe, surface_.mesh(), surface_.mapping(), surface_.heights());
+        if (!exact) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) { return exact(part); });
     }
 
 private:
@@ -85,7 +85,7 @@ private:
     static constexpr std::array refinements = {"none", "linear", "bisection", "secant", "illinois"};
     static constexpr std::array mips = {"base", "footprint"};
     static constexpr std::array lookups = {"fixed-lod", "implicit"};
-    static constexpr glm::ivec2 measured{120, 96};
+    static constexpr glm::ivec2 measured{108, 108};
 
     struct Method {
         const char* title;
@@ -129,7 +129,7 @@ private:
     const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
         const Program& program =
             program_.with({purpose, mip_ == footprint ? "FOOTPRINT" : "", lookup_ == implicit ? "IMPLICIT" : "",
-                           skip_ ? "SKIP" : "", counts.define(method.count), fmt::format("REFINE {}", method.refine)});
+                           counts.define(method.count), fmt::format("REFINE {}", method.refine)});
         glUseProgram(program);
         surface_.set(program, frame);
         program.set("s_bounds", 3, bounds_.get({surface_.version()}, [this] {
@@ -141,17 +141,19 @@ private:
         program.set("u_texels_per_step", method.texels_per_step);
         program.set("u_rounds", method.rounds);
         program.set("u_level_bias", level_bias);
+        program.set("u_skip", skip_);
         program.set("u_decal", decal_ ? 0.9f : 0.0f);
         surface_.set_exact_hit(program, 4);
         return program;
     }
 
-    /// Returns the error and the work of a tile's method, measured in a smaller picture by the frame's camera.
-    const Figures& measure(size_t tile, const Frame& frame) {
-        const Program& program =
-            use(frame, method_of(tile), "MEASURE", std::log2(float(measured.y) / float(std::max(1, frame.size.y))));
+    /// Returns the error and the work of a tile's method, measured in a picture of a fixed size by the frame's camera.
+    /// So they depend on the height of the tile only if it chooses mip levels.
+    const Figures& measure(size_t tile, const Frame& frame, int height) {
+        const float level_bias = mip_ == footprint ? std::log2(float(measured.y) / float(std::max(1, height))) : 0;
+        const Program& program = use(frame_in(frame, {{0, 0}, measured}), method_of(tile), "MEASURE", level_bias);
         return measured_[tile].get(
-            {program, surface_.version(), frame.camera.orbit(), frame.size, surface_.mapping(), surface_.shape},
+            {program, surface_.version(), frame.camera.orbit(), level_bias, surface_.mapping(), surface_.shape},
             [&] { return figures_of(draw_numbers(measured, [&] { surface_.draw(); })); });
     }
 
@@ -181,7 +183,7 @@ private:
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};
     ReliefSurface surface_;
     Kept<Texture, int> bounds_;  ///< by the surface's version
-    std::array<Kept<Figures, GLuint, int, Orbit, glm::ivec2, ReliefMapping, int>, comparisons.size()> measured_;
+    std::array<Kept<Figures, GLuint, int, Orbit, float, ReliefMapping, int>, comparisons.size()> measured_;
     DistantLight light_;
     Labels labels_;
 

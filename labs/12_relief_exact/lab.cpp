@@ -41,8 +41,7 @@ public:
         const auto tiles = tiles_of_view(frame.size);
         std::vector<double> mean_turns;
         if (view_ == compare && !frame.probe)
-            for (size_t i = 0; i < tiles.size(); ++i)
-                mean_turns.push_back(measure(frame_in(frame, tiles[i]), method_of(i)));
+            for (size_t i = 0; i < tiles.size(); ++i) mean_turns.push_back(measure(frame, method_of(i)));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
@@ -75,8 +74,10 @@ public:
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         const Sight sight{objects(), view_ == scene ? std::optional(Ball{}) : std::nullopt, outline_,
                           light_.direction<double>()};
+        const auto values = exact::truth(probe, sight);
+        if (!values) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
-                              [&](const Frame& part, size_t) { return exact::truth(part, probe, sight); });
+                              [&](const Frame& part, size_t) { return values(part); });
     }
 
 private:
@@ -146,10 +147,11 @@ private:
         glDrawElements(GL_TRIANGLES, ball_.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// Returns the mean number of iterations over a small copy of the picture. Infinity before the tasks are written.
-    double measure(Frame frame, Method method) {
+    /// Returns the mean number of iterations in a picture of 64 x 64 pixels by the frame's camera. Infinity before the
+    /// tasks are written.
+    double measure(const Frame& whole, Method method) {
+        Frame frame = frame_in(whole, {{0, 0}, {64, 64}});
         frame.probe = {"steps"};
-        frame.size = {64, 64};
         const Image steps = draw_numbers(frame.size, [&] {
             for (const Object& object : objects()) draw_object(frame, object, method, 0);
         });

@@ -14,7 +14,7 @@
 namespace relief::exact {
 
 enum Method : int { walk, coarse, windows, max_mip, cones };
-inline constexpr auto methods = choices<Method>({{walk, "walk", "WALK"},
+inline constexpr auto methods = choices<Method>({{walk, "walk"},
                                                  {coarse, "coarse", "COARSE"},
                                                  {windows, "windows", "WINDOWS"},
                                                  {max_mip, "max-mips", "MAX_MIPS"},

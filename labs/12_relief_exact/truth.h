@@ -3,6 +3,7 @@
 
 #include "framework/core/base/from_staff.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct Sight {
     glm::dvec3 to_light;  ///< unit, in the world
 };
 
-/// Returns the exact values of the probes at the first hit of each pixel's ray.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Sight& sight)> truth;
+/// Returns the function that computes the exact values of a probe at the first hit of each pixel's ray. The meshes of
+/// the objects must outlive it. Empty for other probes.
+inline FromStaff<std::function<Image(const Frame&)>(const Probe& probe, const Sight& sight)> truth;
 
 }  // namespace relief::exact

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/core/height/facing.h"
+#include "facing.h"
 
 namespace relief::adaptive {
 namespace {

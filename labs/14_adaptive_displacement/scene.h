@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "framework/core/height/patches.h"
 #include "framework/core/kit/displaced_surface.h"
+#include "patch_heights.h"
 
 namespace relief::adaptive {
 

@@ -129,7 +129,7 @@ private:
 
     /// Returns the mean error of a rule in degrees, over the water ahead. Infinity before its task is written.
     double mean_error(Settings::Combine rule) {
-        return means_[rule].get({knob_values(*this), sea_.renewals() + settings_.water.version()}, [&] {
+        return means_[rule].get({settings_.water.key(), settings_.source, settings_.lock, sea_.renewals()}, [&] {
             constexpr glm::ivec2 size(48);
             const Part part{.tile = {{0, 0}, size},
                             .frame = {.target = 0, .size = size, .time = 0, .camera = {steep(180), 1}, .probe = {}},
@@ -188,8 +188,10 @@ private:
     void draw_sea(const Part& part, bool is_raised) {
         const bool is_light = !part.is_error(), is_picture = is_light && !part.frame.probe;
         const int far = is_light ? part.far : Settings::plain;
+        const bool is_slope_exact = part.is_error() || settings_.source == Settings::analytic;
         const Program& program =
-            sea_.with({part.purpose, used(0), used(1), is_raised ? "" : "FLAT", Settings::combines.define(part.rule),
+            sea_.with({part.purpose, used(0), used(1), is_slope_exact ? own(0) : "", is_slope_exact ? own(1) : "",
+                       is_raised ? "" : "FLAT", Settings::combines.define(part.rule),
                        Settings::sources.define(settings_.source), Settings::fars.define(far),
                        far == Settings::samples ? Settings::sample_counts.define(settings_.sample_count) : "",
                        is_light ? Settings::fresnels.define(settings_.fresnel) : "",
@@ -214,6 +216,12 @@ private:
     }
 
     Define used(int map) const { return !settings_.water.is_used(map) ? "" : map == 0 ? "FIRST" : "SECOND"; }
+
+    /// Says that the slopes of a map have no formula.
+    Define own(int map) const {
+        const bool is_own = settings_.water.is_used(map) && settings_.water.has_own_heights(map);
+        return !is_own ? "" : map == 0 ? "OWN_FIRST" : "OWN_SECOND";
+    }
 
     void set_sea(const Program& program, const Part& part) const {
         const Frame& frame = part.frame;
@@ -240,7 +248,7 @@ private:
     CubeTexture cube_{"evening sky", 128, evening_sky};
     WindowTriangle window_;
     Rings rings_;
-    std::array<Kept<double, std::vector<std::string>, int>, 2> means_;  ///< by rule
+    std::array<Kept<double, Water::Key, int, bool, int>, 2> means_;  ///< by rule
     Labels labels_;
 };
 

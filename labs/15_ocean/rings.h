@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "framework/core/gl/object.h"
-#include "framework/core/mesh/polar_grid.h"
+#include "polar_grid.h"
 #include "water.h"
 
 namespace relief::ocean {

@@ -59,10 +59,14 @@ void Water::file_knobs(Knobs& knobs) {
     knobs.choice_or_file("normals_2", own_[1].has_normals, own_[1].normals, of_heights, "normals of the second map");
 }
 
-int Water::version() const {
-    int sum = 0;
-    for (const Own& own : own_) sum += own.heights.version() + own.normals.version();
-    return sum;
+Water::Key Water::key() const {
+    std::array<int, 4> has_own{};
+    int files = 0;
+    for (size_t i = 0; i < 2; ++i) {
+        has_own[2 * i] = own_[i].has_heights, has_own[2 * i + 1] = own_[i].has_normals;
+        files += own_[i].heights.version() + own_[i].normals.version();
+    }
+    return {maps, tiles, amplitudes, wind, has_own, files};
 }
 
 std::vector<Layer> Water::layers() const {
@@ -97,13 +101,16 @@ double Water::highest() const {
 }
 
 double Water::steepest() const {
-    double square = 0;
+    double square = 0, own = 0;
     for (const Layer& layer : layers()) {
-        const glm::dvec3 moments =
-            layer.amplitude * layer.amplitude * layer.tiles * layer.tiles * measures(layer.map).moments;
-        square += moments.x + moments.y;
+        const WaveMeasures& of = measures(layer.map);
+        const double scale = layer.amplitude * layer.tiles;
+        if (has_own_heights(layer.map))
+            own += scale * of.steepest;
+        else
+            square += scale * scale * (of.moments.x + of.moments.y);
     }
-    return 5 * std::sqrt(square);
+    return 5 * std::sqrt(square) + own;
 }
 
 double Water::segment_exponent(double tolerated) const {

@@ -1,6 +1,9 @@
 // The water of lab 15: how high and how often the two maps of waves lie on it. A map may be of the user's files.
 #pragma once
 
+#include <array>
+#include <tuple>
+
 #include "framework/core/image/own_picture.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/lab/lab.h"
@@ -22,8 +25,10 @@ public:
     void file_knobs(Knobs& knobs);
     /// Returns whether a map is not that of the formula.
     bool has_own() const { return own_[0].is_there() || own_[1].is_there(); }
-    /// Increases with each file that is read.
-    int version() const;
+    bool has_own_heights(int map) const { return own_[size_t(map)].has_heights > 0; }
+    /// All that the water depends on. The last number increases with each file that is read.
+    using Key = std::tuple<int, std::array<float, 2>, std::array<float, 2>, float, std::array<int, 4>, int>;
+    Key key() const;
 
     bool is_used(int map) const { return (maps == 0 || maps == map + 1) && amplitudes[size_t(map)] > 0; }
     /// Returns the maps that are used.
@@ -37,7 +42,8 @@ public:
 
     /// Returns an upper bound of the height of the sea, metres.
     double highest() const;
-    /// Returns five times the root mean square of the slope.
+    /// Returns an upper bound of the slope: five times the root mean square of a map by the formula, which few texels
+    /// exceed, and the largest slope of a user's map.
     double steepest() const;
     /// Returns the length of the longest segment whose error is at most `tolerated` metres, as an exponent of 2 of
     /// metres. The error is twice the root mean square over all waves.

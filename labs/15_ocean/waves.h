@@ -1,7 +1,7 @@
 // The waves of lab 15's two maps.
 #pragma once
 
-#include "framework/core/height/waves.h"
+#include "wave_maps.h"
 
 namespace relief::ocean {
 

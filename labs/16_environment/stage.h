@@ -48,7 +48,7 @@ private:
 
     /// Returns the meshes, none for a material that the scene does not have.
     const Meshes& meshes() {
-        return meshes_.get({place, tilt, is_displaced()}, [this] {
+        return meshes_.get({place, is_court() ? 0 : tilt, is_displaced()}, [this] {
             Meshes made;
             for (size_t i = 0; i < made.size(); ++i)
                 if (Mesh mesh = mesh_of(scene(), Material(i), is_displaced()); !mesh.indices.empty())

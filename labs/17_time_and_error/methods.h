@@ -16,7 +16,7 @@ namespace relief::budget {
 /// The values of the knob: `automatic`, then 1 + each Method. The definition compiles a method in.
 inline constexpr int automatic = 0, first_method = 1;
 inline constexpr auto methods = choices<int>({{automatic, "auto"},
-                                              {first_method + plain, "plain", "PLAIN"},
+                                              {first_method + plain, "plain"},
                                               {first_method + normal_map, "normal-map", "NORMAL_MAP"},
                                               {first_method + parallax, "parallax", "PARALLAX"},
                                               {first_method + exact, "exact", "EXACT"},

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/height/levels.h"
+#include "clip.h"
 #include "framework/core/image/mips.h"
-#include "framework/core/mesh/clip.h"
+#include "levels.h"
 
 namespace relief::budget {
 namespace {

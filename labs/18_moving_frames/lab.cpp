@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "bodies.h"
-#include "framework/core/height/scales.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/kit/culling.h"
@@ -16,6 +15,7 @@
 #include "framework/core/kit/view_axes.h"
 #include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
+#include "scales.h"
 #include "truth.h"
 
 namespace relief::moving_frames {

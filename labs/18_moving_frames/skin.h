@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/core/mesh/dual_quaternion.h"
+#include "dual_quaternion.h"
 #include "framework/core/mesh/mesh.h"
 
 namespace relief::moving_frames {

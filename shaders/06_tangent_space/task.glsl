@@ -32,9 +32,10 @@ vec3 to_tangent_space(vec3 direction, mat3 frame) {
 }
 
 // TASK 6.3 (4 points): transform a normal of the model to the world. Any length will do, but it must be on the right
-// side. If the model is scaled by different numbers along its axes, normals need the inverse transpose of m. Its
-// columns, times the determinant, are cross(m[1], m[2]), cross(m[2], m[0]) and cross(m[0], m[1]): they are finite even
-// where a scale is 0. Multiply by the determinant's sign (0 counts as positive; GLSL's sign(0.0) is 0).
+// side. If the model is scaled by different numbers along its axes, normals need the inverse transpose of m. The
+// columns of the inverse transpose, times the determinant of m, are cross(m[1], m[2]), cross(m[2], m[0]) and
+// cross(m[0], m[1]): they are finite even where a scale is 0. Multiply by the determinant's sign (0 counts as positive;
+// GLSL's sign(0.0) is 0).
 //(normal
 vec3 world_normal(vec3 normal, mat3 m) {
     //[solution

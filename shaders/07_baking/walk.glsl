@@ -1,7 +1,7 @@
 // The triangles of the fine model, and the walk of a ray through their tree.
 
 #include "common/mesh_rays.glsl"
-#include "common/ray_mesh.glsl"
+#include "07_baking/ray_mesh.glsl"
 #include "common/unfinished.glsl"
 #include "07_baking/takes.glsl"
 #include "07_baking/task.glsl"

@@ -21,7 +21,7 @@ vec4 by_samples(sampler2D map, vec2 uv, vec2 right, vec2 up) {
 ///  NEAREST_TEXEL: the nearest texel of level 0
 ///  MIP_LEVELS: trilinear; the mip level fits the longer side of the footprint
 ///  TAPS: anisotropic; up to TAPS samples along the longer side, whose mip level fits the shorter side
-///  MANY_SAMPLES: 1024 samples
+/// or, if none is defined, by 1024 samples
 vec4 filtered(sampler2D map, vec2 uv) {
     vec2 right = dFdx(uv), up = dFdy(uv);
 #if defined NEAREST_TEXEL

@@ -48,6 +48,7 @@ uniform float u_min_steps;
 uniform float u_texels_per_step;
 uniform int u_rounds;
 uniform float u_level_bias;  // added to the mip level when a smaller picture is measured
+uniform bool u_skip;         // marches that would not show
 uniform float u_decal;       // opacity of the paint on the pane
 
 layout(location = 0) out vec4 o_color;
@@ -99,14 +100,14 @@ float marched(ReliefRay ray, vec2 size) {
 float seen(ReliefRay ray, bool has_relief) {
     if (!has_relief) return 0.0;
     vec2 size = vec2(textureSize(s_heights, 0));
-#ifdef SKIP
-    //(skip
-    // No march where it would not show: over less than half a texel of the level read, or over flat ground.
-    float height;
-    if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
-    if (is_flat(ray, size, height)) return 1.0 - height;
-    //)
-#endif
+    if (u_skip) {
+        //(skip
+        // No march where it would not show: over less than half a texel of the level read, or over flat ground.
+        float height;
+        if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
+        if (is_flat(ray, size, height)) return 1.0 - height;
+        //)
+    }
     return marched(ray, size);
 }
 

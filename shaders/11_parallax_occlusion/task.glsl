@@ -86,10 +86,10 @@ float crossing(float gap_before, float gap_after) {
 
 // TASK 11.4 (3 points): `rounds` times, look at one point within the bracket and make it one of the ends, so that the
 // ray still goes below the surface between them. Bisection takes the point in the middle, secant the point where the
-// lines of 11.3 cross. Illinois: like secant, but an end that is kept for a second round (a third, ...) counts with
-// half its gap (a quarter, ...) in the next one, and with the whole gap again once it is replaced. That draws the
-// point to the end that stays, which otherwise might stay forever. Only the weight is halved: the bracket that you
-// return has the full gaps.
+// lines of 11.3 cross. Illinois: like secant, with a weight for the gap of each end. The weight is 1. Each time that an
+// end is kept for the second round in a row or a later one, its weight is halved: 1/2, 1/4, ... It is 1 again once the
+// end is replaced. That draws the point to the end that stays, which otherwise might stay forever. Only the weight is
+// halved: the bracket that you return has the full gaps.
 Bracket refined(sampler2D heights, ReliefRay ray, Bracket b, int rounds, int method) {
     //[solution
     vec2 weight = vec2(1.0);

@@ -80,7 +80,7 @@ float bend(float across, float radius, float depth_metres) {
 
 // TASK 12.6 (2 points): a guess of the relief's shadow without a search, from three unit vectors: the normal of the base,
 // the normal of the map, and the direction to the light, which is above the base. A low lamp is blocked the more, the
-// steeper the map is (Estevez, Lecocq and Ebelin 2019). With c = |surface . mapped| and l = surface . to_light:
+// steeper the map is (Conty Estevez, Lecocq and Stein 2019). With c = |surface . mapped| and l = surface . to_light:
 //     a = (1 - c^2) / (8 c^2), but at most 1        t = (1 - l^2) / l^2        2 / (1 + sqrt(1 + a t))
 // c and l may be 0: count each as 1e-6 at least, so that the result is finite.
 //(guess

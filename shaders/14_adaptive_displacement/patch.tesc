@@ -88,7 +88,7 @@ float level_of_inside(vec4 flat_) {
 }
 
 // Returns the upper bound of the tangent of the angle between a triangle's normal and the patch's axis: see facing_of()
-// in framework/core/height/facing.h. A thin triangle is steeper than the relief. If all levels are equal, triangles have right angles in the
+// in labs/14_adaptive_displacement/facing.h. A thin triangle is steeper than the relief. If all levels are equal, triangles have right angles in the
 // domain of a quad, and nearly so in that of a triangle. Otherwise the corner opposite to an edge may be off by as much
 // as the inside is finer than the edge.
 float steepest(float flat_rise, vec4 facing, float inside, float least, bool is_flat) {

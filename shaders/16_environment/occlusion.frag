@@ -1,6 +1,6 @@
 #version 410 core
 // Ambient occlusion in screen space, by horizons: in a few planes through the line of sight it finds the horizons among
-// nearby surfaces in the picture (Bavoil and Sainz 2008, Jimenez et al. 2016).
+// nearby surfaces in the picture (Bavoil et al. 2008, Jimenez et al. 2016).
 
 #include "common/unfinished.glsl"
 #include "16_environment/task.glsl"

@@ -102,8 +102,9 @@ vec3 bumped(vec3 normal, vec3 gradient) {
 //)
 
 // TASK 19.7 (2 points): the variance of the slopes within a pixel. lost_variance() has it for a layer whose unit normals
-// have the mean `mean_normal`: (1 - l) / l, where l is the mean's length (Toksvig 2004). turning_variance() has it for a normal that changes by `across` to the next pixel, and by `up` to the one above:
-// a quarter of the squared lengths of both, but at most 0.09 (after Kaplanyan and others 2016).
+// have the mean `mean_normal`: (1 - l) / l, where l is the mean's length (Toksvig 2005). turning_variance() has it for a
+// normal that changes by `across` to the next pixel, and by `up` to the one above: a quarter of the squared lengths of
+// both, but at most 0.09 (Tokuyoshi and Kaplanyan 2019).
 //(variance
 float lost_variance(vec3 mean_normal) {
     //[solution

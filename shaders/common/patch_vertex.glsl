@@ -22,8 +22,7 @@ struct PatchVertex {
     vec2 spacing;
 };
 
-#define BLEND(member) \
-    blend(weights, c_corner[0].member, c_corner[1].member, c_corner[2].member, c_corner[CORNERS - 1].member)
+#define BLEND(part) blend(weights, c_corner[0].part, c_corner[1].part, c_corner[2].part, c_corner[CORNERS - 1].part)
 
 PatchVertex patch_vertex() {
 #if CORNERS == 4

@@ -20,8 +20,8 @@ vec3 to_tangent_space(vec3 direction, vec3 normal, vec4 tangent) {
 }
 
 // Returns a frame whose columns are tangent, bitangent and normal as interpolated, neither normalised nor
-// perpendicular. This is the frame of MikkTSpace and of all bakers that follow it (Mikkelsen 2008). The program that
-// bakes a map decides which frame it needs.
+// perpendicular. This is the frame of MikkTSpace (Mikkelsen 2008) with the bitangent of each pixel. The program that bakes
+// a map decides which frame it needs.
 mat3 interpolated_frame(vec3 normal, vec4 tangent) {
     return mat3(tangent.xyz, tangent.w * cross(normal, tangent.xyz), normal);
 }

@@ -5,6 +5,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/compare.h"
+#include "framework/core/kit/made_map.h"
 #include "framework/course/check/check.h"
 #include "framework/course/check/explain.h"
 #include "framework/staff/grade/overlay.h"
@@ -182,13 +183,36 @@ TEST(Explain, EqualPassesAreListedOnce) {
     const LabEntry& lab = find_lab("15");
     const Manifest manifest = load_manifest(lab);
     Shot shot;
-    shot.camera = manifest.camera;
-    const check::Explanation all = check::explain(lab, manifest, shot, {200, 200}, {});
+    shot.size = {256, 144}, shot.camera = manifest.camera;
+    const check::Explanation all = check::explain(lab, manifest, shot, {40, 40}, {});
     size_t in_earlier_passes = 0, in_the_picture = 0;
     for (const check::ExplainedFunction& one : all.functions)
         if (one.function.name == "slope_of") ++(one.pass == 0 ? in_the_picture : in_earlier_passes);
     EXPECT_EQ(in_earlier_passes, 1u);
     EXPECT_EQ(in_the_picture, 1u);
+}
+
+// The window paints on the map of lab 03, so the lab knows the place on the map below a pixel.
+TEST(Explain, ShowsTheTexelThatThePixelReads) {
+    const LabEntry& lab = find_lab("03");
+    const Manifest manifest = load_manifest(lab);
+    const Shot shot = manifest.check("sobel on clean heights").shot;
+    const check::Twins twins = check::twins_of(manifest);
+    const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
+    const Frame frame = {0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+    for (const glm::ivec2 pixel : {glm::ivec2(82, 34), {47, 50}, {40, 90}}) {
+        const check::Explanation explanation = check::explain(lab, manifest, shot, pixel, twins);
+        const auto sobel = std::find_if(explanation.functions.begin(), explanation.functions.end(),
+                                        [](const auto& one) { return one.function.name == "sobel"; });
+        ASSERT_NE(sobel, explanation.functions.end());
+        EXPECT_TRUE(sobel->is_read);
+        const auto uv = dynamic_cast<Paintable&>(*drawn).place_on_map(frame, glm::dvec2(pixel) + 0.5);
+        ASSERT_TRUE(uv);
+        const glm::dvec2 texel = glm::dvec2(uv->x, 1 - uv->y) * glm::dvec2(sobel->size);
+        // A filter reads the texels around the place: their centres are less than a texel away.
+        EXPECT_LT(std::abs(sobel->pixel.x + 0.5 - texel.x), 1) << pixel.x << ", " << pixel.y;
+        EXPECT_LT(std::abs(sobel->pixel.y + 0.5 - texel.y), 1) << pixel.x << ", " << pixel.y;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Labs, Explained, testing::ValuesIn(registry()),

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <random>
+#include <regex>
+#include <set>
 #include <utility>
 
 #include "framework/core/base/file.h"
@@ -18,6 +23,7 @@
 #include "framework/core/image/visualize.h"
 #include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/words.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -70,11 +76,69 @@ std::vector<std::string> extremes(const KnobText& knob) {
     return values;
 }
 
-/// Returns whether a knob only selects another way to the same picture.
+/// Returns whether a knob only selects another way to the same picture, or the lab has to work to find out whether the
+/// picture is the same: a bake shows whether rays have other hits in reach.
 bool finds_it_in_another_way(const LabEntry& lab, const std::string& knob) {
-    return (lab.name == "obj_materials" && knob == "programs") ||
-           (lab.name == "parallax_occlusion" && knob == "skip") || (lab.name == "relief_exact" && knob == "method") ||
+    return (lab.name == "baking" && (knob == "take" || knob == "reach")) ||
+           (lab.name == "obj_materials" && knob == "programs") || (lab.name == "relief_exact" && knob == "method") ||
            (lab.name == "tangent_space" && knob == "order");
+}
+
+/// Counts the textures that are created while an object of this class lives.
+class TexturesMade {
+public:
+    TexturesMade() {
+        count = 0, real = glad_glGenTextures;
+        glad_glGenTextures = [](GLsizei number, GLuint* names) {
+            count += number;
+            real(number, names);
+        };
+    }
+    ~TexturesMade() { glad_glGenTextures = real; }
+    TexturesMade(const TexturesMade&) = delete;
+    TexturesMade& operator=(const TexturesMade&) = delete;
+    static inline int64_t count = 0;
+
+private:
+    static inline PFNGLGENTEXTURESPROC real = nullptr;
+};
+
+/// Values for all knobs of a lab, as set_knob() takes them.
+using Setting = std::vector<std::pair<std::string, std::string>>;
+
+std::string text_of(const Setting& setting, const Probe& probe) {
+    std::string text = probe ? "--probe " + probe.name : "a picture";
+    for (const auto& [knob, value] : setting) text += " --set " + knob + "=" + value;
+    return text;
+}
+
+/// Returns a random setting. Half of the knobs keep their values. Leaves out maps of more than 1024 texels a side,
+/// which take seconds.
+Setting random_setting(const std::vector<KnobText>& knobs, std::mt19937& dice) {
+    Setting setting;
+    for (const KnobText& knob : knobs) {
+        std::vector<std::string> values = extremes(knob);
+        std::erase_if(values, [](const std::string& value) { return value == "4096"; });
+        std::string value = values[dice() % values.size()];
+        const bool is_whole = knob.range.find(", whole") != std::string::npos;
+        if (knob.range.find(" to ") != std::string::npos && dice() % 2) {
+            const double low = std::stod(values[0]), high = std::stod(values[1]), share = dice() / 4294967296.0;
+            value = is_whole ? std::to_string(int(low + share * (high - low + 1))) : plain(low + share * (high - low));
+        }
+        setting.emplace_back(knob.name, dice() % 2 ? value : knob.value);
+    }
+    return setting;
+}
+
+/// Returns the bytes of a shot's values, or the message of the error.
+std::string bytes_or_error(Lab& lab, const Setting& setting, const Shot& shot) {
+    try {
+        for (const auto& [knob, value] : setting) set_knob(lab, knob, value);
+        const Image image = draw_shot(lab, shot);
+        return {reinterpret_cast<const char*>(image.values.data()), image.values.size() * sizeof(float)};
+    } catch (const Error& error) {
+        return error.what();
+    }
 }
 
 TEST_P(EveryLab, HasATitleAGoalAHandoutAndAShaderFolder) {
@@ -87,6 +151,24 @@ TEST_P(EveryLab, HasATitleAGoalAHandoutAndAShaderFolder) {
         EXPECT_TRUE(contains(top, "**Begin here.** Open the lab with `./relief run " + GetParam().two_digits()));
     }
     EXPECT_TRUE(std::filesystem::is_directory(course_root() / "shaders" / GetParam().folder));
+}
+
+// `view=one` can be pasted after --set. A table may have `view` one, since its column says what to do.
+TEST_P(EveryLab, HasAHandoutWhoseSentencesWriteSettingsInCode) {
+    std::string prose;
+    bool is_code = false;
+    for (const std::string& line : split(read_file(course_root() / "labs" / GetParam().folder / "README.md"), '\n')) {
+        is_code ^= line.starts_with("```");
+        if (!is_code && !line.starts_with("|")) prose += line + " ";
+    }
+    for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
+        for (const std::string& value : extremes(knob)) {
+            const bool is_number = knob.range.find(" to ") != std::string::npos;
+            const std::string ends = is_number ? " -?[0-9]" : "( to)? " + value + "(?![\\w-])";
+            std::smatch found;
+            EXPECT_FALSE(std::regex_search(prose, found, std::regex("`" + knob.name + "`" + ends)))
+                << "write `" << knob.name << "=" << value << "` instead of " << found.str();
+        }
 }
 
 TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
@@ -105,20 +187,61 @@ TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingForEqualPictures) {
         return image;
     };
     const Image usual = draw();
+    const TexturesMade textures;
+    // A key without an ignored knob, and with the values that count, makes nothing again.
+    struct Work {
+        int64_t links = counters().links, textures = TexturesMade::count, draw_calls = counters().draw_calls;
+    };
+    const Work before_again;
+    draw();
+    const int64_t usual_calls = counters().draw_calls - before_again.draw_calls;
     for (const KnobText& knob : describe_knobs(small.lab()))
         for (const std::string& value : sample_of(extremes(knob), 4)) {
             set_knob(small.lab(), knob.name, value);
-            const int64_t before = counters().links;
+            const Work before;
+            bool is_same = false;
             try {
-                const bool is_same = draw().values == usual.values;
+                is_same = draw().values == usual.values;
                 if (is_same && !finds_it_in_another_way(GetParam(), knob.name)) {
-                    EXPECT_EQ(counters().links, before) << knob.name << " = " << value << " compiles";
+                    const Work after;
+                    EXPECT_EQ(after.links, before.links) << knob.name << " = " << value << " compiles";
+                    EXPECT_EQ(after.textures, before.textures) << knob.name << " = " << value << " makes textures";
+                    EXPECT_LE(after.draw_calls - before.draw_calls, usual_calls) << knob.name << " = " << value;
                 }
             } catch (const Error& error) {
                 ADD_FAILURE() << knob.name << " = " << value << ": " << error.what();
             }
             set_knob(small.lab(), knob.name, knob.value);
+            if (!is_same) draw();  // what the lab keeps is that of the usual picture again
         }
+}
+
+// A lab keeps maps and measurements from picture to picture. A picture must not depend on an earlier one.
+TEST_P(EveryLab, DrawsASettingAlikeBeforeAndAfterAnotherOne) {
+    const char* const given = std::getenv("RELIEF_TEST_SEED");
+    const unsigned seed = given ? unsigned(std::stoul(given)) : tests_all() ? std::random_device()() : 3;
+    std::mt19937 dice(seed + unsigned(GetParam().number));
+    const std::vector<KnobText> knobs = describe_knobs(*make_lab(GetParam(), shot()));
+    const auto random_shot = [&] {
+        const size_t probe = dice() % (manifest_.probes.size() + 1);
+        Shot random = shot({probe == 0 ? "" : manifest_.probes[probe - 1].name});
+        random.size = {48, 36};
+        if (dice() % 2) random.camera.yaw += double(dice() % 360);
+        return random;
+    };
+    for (int round = 0; round < (tests_all() ? 12 : 3); ++round) {
+        const Setting a = random_setting(knobs, dice), b = random_setting(knobs, dice);
+        const Shot of_a = random_shot(), of_b = random_shot();
+        const std::string fresh = bytes_or_error(*make_lab(GetParam(), shot()), a, of_a);
+        const auto lab = make_lab(GetParam(), shot());
+        bytes_or_error(*lab, b, of_b);
+        EXPECT_EQ(bytes_or_error(*lab, a, of_a) == fresh, true) << "after " << text_of(b, of_b.probe);
+        bytes_or_error(*lab, b, of_b);
+        EXPECT_EQ(bytes_or_error(*lab, a, of_a) == fresh, true) << "again after " << text_of(b, of_b.probe);
+        if (HasFailure())
+            FAIL() << text_of(a, of_a.probe) << ", camera " << camera_text(of_a.camera) << " and "
+                   << camera_text(of_b.camera) << ", RELIEF_TEST_SEED=" << seed;
+    }
 }
 
 // The window shows such a knob in grey.
@@ -215,6 +338,30 @@ TEST_P(EveryLab, DrawsInAnyShapeOfPicture) {
             EXPECT_TRUE(contains(error.what(), "one colour")) << error.what();
         }
     }
+}
+
+// A number below a picture that changes with the window cannot equal the one of a handout. Labs that count what the
+// picture itself has (patches, holes, pixels of each method) say so.
+TEST_P(EveryLab, MeasuresTheSameNumbersForAPictureOfAnySizeOrSaysThatItDoesNot) {
+    const std::string handout = read_file(course_root() / "labs" / GetParam().folder / "README.md");
+    const bool is_said = std::regex_search(handout, std::regex("below a\\s+picture depend on its size"));
+    EXPECT_EQ(is_said, (std::set<int>{9, 14, 17}.contains(GetParam().number)));
+    if (is_said) return;
+    const auto numbers_of = [&](glm::ivec2 size, const std::string& view) {
+        Shot sized = shot();
+        sized.size = size;
+        if (!view.empty()) sized.set = {{"view", view}};
+        const WithoutWords no_words;
+        picture(sized);
+        std::multiset<std::string> numbers;
+        for (const PictureWord& word : no_words.words())
+            if (word.kind == PictureWord::Kind::caption && word.text.find_first_of("0123456789") != std::string::npos)
+                numbers.insert(word.text);
+        return numbers;
+    };
+    const std::map<int, std::string> views = {{2, "blocks"}, {5, "frames"}, {12, "compare"}, {19, "blends"}};
+    const std::string view = views.contains(GetParam().number) ? views.at(GetParam().number) : "";
+    EXPECT_EQ(numbers_of({120, 180}, view), numbers_of({256, 144}, view));
 }
 
 /// Expects that a larger value is never darker. Pixels without a surface, or without a value, are left out.

@@ -36,6 +36,29 @@ double sum_of(const Image& image) {
     return sum;
 }
 
+/// Returns the largest difference of the normals' components, of the sea from above, after a move of the eye in metres
+/// and of the clock in seconds.
+double change_after(double metres, double seconds) {
+    Shot shot = from_above(near_sea({{"displace", "false"}}), "normal");
+    const Image before = drawn("15", shot);
+    shot.camera.target = {float(metres), 0, float(metres)};
+    shot.time = seconds;
+    const Image after = drawn("15", shot);
+    double largest = 0;
+    for (size_t i = 0; i < before.values.size(); ++i)
+        if (std::isfinite(before.values[i]))
+            largest = std::max(largest, std::abs(double(before.values[i]) - double(after.values[i])));
+    return largest;
+}
+
+TEST(Ocean, RepeatsAfter400MetresAnd128SecondsAndNotAfterOneTile) {
+    EXPECT_LT(change_after(400, 0), 0.01) << "4 tiles of 100 metres, 65 of 6.15";
+    EXPECT_LT(change_after(0, 128), 1e-6);
+    EXPECT_GT(change_after(100, 0), 0.1);
+    EXPECT_GT(change_after(6.15, 0), 0.1);
+    EXPECT_GT(change_after(0, 64), 0.1);
+}
+
 TEST(Ocean, MapsMatchTheirCosines) {
     for (int map = 0; map < 2; ++map) {
         const auto maps = make_maps(map);
@@ -360,6 +383,70 @@ TEST(Ocean, HeightsOfAFileGiveTheWavesOfTheFormulaTheyCameFrom) {
     EXPECT_LT(summarize(error_image(normals({{"heights_1", file}}), formula, ErrorMetric::angle)).mean, 0.4);
     EXPECT_GT(summarize(error_image(normals({{"heights_2", file}}), formula, ErrorMetric::angle)).mean, 2)
         << "the other map";
+}
+
+/// Writes heights of map_texels a side, in 16 bits: `height` of u and v, from 0 to 1. Returns the file's name.
+template <class Height>
+std::string write_heights(const TemporaryFolder& folder, Height height) {
+    Image grey(map_texels, map_texels, 1, 16);
+    for (int y = 0; y < map_texels; ++y)
+        for (int x = 0; x < map_texels; ++x)
+            *grey.pixel(x, y) = float(height((x + 0.5) / map_texels, 1 - (y + 0.5) / map_texels));
+    const std::string file = (folder.path() / "heights.png").string();
+    write_image(file, grey);
+    return file;
+}
+
+double sine(double u, double v) { return 0.5 + 0.4 * std::sin(2 * glm::pi<double>() * (2 * u + 3 * v)); }
+
+TEST(Ocean, HeightsOfAFileHaveTheirOwnSlopesAsExactOnes) {
+    const TemporaryFolder folder;
+    for (const std::string number : {"1", "2"}) {
+        const Knob own = {"heights_" + number, write_heights(folder, sine)};
+        const auto normals = [&](const char* source) {
+            return drawn("15", from_above(near_sea({own, {"normals", source}}), "normal"));
+        };
+        // Normals of 8 bits are 0.2 degrees off; the slopes of the built-in waves would be 5 and more.
+        EXPECT_LT(summarize(error_image(normals("maps"), normals("analytic"), ErrorMetric::angle)).mean, 0.3) << number;
+
+        // Below the sea are the errors of both rules, from black to yellow at 12 degrees, each with its mean in a
+        // label.
+        const Image halves = drawn("15", shot_of("15", {own}, "", {256, 160}));
+        const auto redness = [&](int left) {
+            double sum = 0;
+            for (int y = 144; y < 160; ++y)
+                for (int x = left; x < left + 128; ++x) sum += double(halves.pixel(x, y)[0]) / (16 * 128);
+            return sum;
+        };
+        EXPECT_GT(redness(0), 0.2) << "the mean of normals, map " << number;
+        EXPECT_LT(redness(128), 0.02) << "the sum of slopes, map " << number;
+    }
+}
+
+// The slope of a single ridge is 8 times the root mean square of its map, since most texels are level. It is 0.91 here,
+// and 0.84 mirrors the sun.
+TEST(Ocean, SamplesOfAFileLoseNoSteepTexel) {
+    const TemporaryFolder folder;
+    const Knob own = {"heights_1", write_heights(folder, [](double u, double) {
+                          return std::min(u, 1 - u) < 1.0 / map_texels ? 1.0 : 0.0;
+                      })};
+    const auto light = [&](const char* rule) {
+        Shot shot = from_above(near_sea({own,
+                                         {"waves", "first"},
+                                         {"tiles_1", "1"},
+                                         {"wind", "0"},
+                                         {"amplitude_1", "0.04"},
+                                         {"light_pitch", "10"},
+                                         {"light_yaw", "90"},
+                                         {"shininess", "1024"},
+                                         {"far", rule}}),
+                               "glitter");
+        shot.camera.pitch = 89, shot.camera.distance = 3;  // a pixel is smaller than a texel
+        return sum_of(drawn("15", shot));
+    };
+    const double lean = light("lean");
+    EXPECT_GT(lean, 0.5) << "the ridge mirrors the sun";
+    EXPECT_GT(light("samples"), lean) << "a Gaussian of the slopes between two texels spreads the light";
 }
 
 TEST(Ocean, NormalsOfAFileAreReadInPlaceOfThoseOfTheHeights) {

@@ -132,6 +132,24 @@ TEST(ReliefExact, IsExactToATenthOfATexelOnTheLargestWalls) {
     }
 }
 
+// At a tile's border the place in the tile jumps by a whole tile, and rounding chooses the side.
+TEST(ReliefExact, APlaceInATileDiffersByWholeTilesAtABorder) {
+    Shot shot =
+        shot_of("12", {{"view", "one"}, {"surface", "urn"}, {"depth", "0"}, {"repeat", "8"}}, "ray", {640, 480});
+    shot.camera = {.yaw = 111, .pitch = -80, .distance = 1275, .target = {}, .field_of_view = 1};
+    const auto lab = make_lab(find_lab("12"), shot);
+    const Image rays = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+    size_t pixels = 0;
+    for (size_t i = 0; i < rays.pixel_count(); ++i)
+        for (const size_t channel : {i * 4 + 2, i * 4 + 3}) {
+            const double off = double(rays.values[channel]) - double(exact.values[channel]);
+            if (!std::isfinite(off)) continue;
+            ++pixels;
+            EXPECT_NEAR(off, 512 * std::round(off / 512), 0.2);
+        }
+    EXPECT_GT(pixels, 500u);
+}
+
 TEST(ReliefExact, EverySearchHasTheSameHit) {
     for (const char* map : {"stones", "posts", "rock"})
         for (const auto& [yaw, pitch] : {std::pair(50.0, 20.0), {-78.0, -8.0}}) {

@@ -104,6 +104,16 @@ TEST(TangentBasis, TheColoursOfTheViewFramesAreTheAnglesToDPdV) {
     }
 }
 
+TEST(TangentBasis, AnAveragedBIsThatOfTheMeshAfterAViewThatNeedsNone) {
+    const Shot averaged = frame_shot("torus", "averaged", "dp_dv");
+    const auto lab = make_lab(find_lab("05"), averaged);
+    const Image before = render_shot(*lab, averaged);
+    set_knob(*lab, "view", "one"), set_knob(*lab, "columns", "3");
+    render_shot(*lab, averaged);
+    set_knob(*lab, "view", "frames"), set_knob(*lab, "columns", "24");
+    EXPECT_EQ(render_shot(*lab, averaged).values == before.values, true);
+}
+
 TEST(TangentBasis, DisabledLinesCostNoDrawAndNoProgram) {
     const auto cost = [](const char* lines) {
         const Shot shot = shot_of("05", {{"lines", lines}});

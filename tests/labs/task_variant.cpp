@@ -13,7 +13,8 @@ namespace relief {
 namespace fs = std::filesystem;
 
 std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::CourseFiles& files,
-                                        const Expectations& expected) {
+                                        const Expectations& expected, VariantProgram kind) {
+    const bool finds_faults = kind == VariantProgram::finds_faults;
     const fs::path build = build_folder, source = source_folder;
     // A separate course folder for the executable. It contains the pictures of the solution, as a handout does.
     const grade::CourseOverlay course(files);
@@ -30,12 +31,20 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::Course
 #ifdef RELIEF_SANITIZED
     command.push_back("-fsanitize=address,undefined");
 #endif
-    for (const auto& [name, text] : files)  // each file is a translation unit
-        if (name.ends_with(".cpp")) command.push_back((course.root() / name).string());
+    const std::string name = (finds_faults ? "check-" : "lab-") + lab.two_digits();
+    const fs::path objects = build / "CMakeFiles" / (name + ".dir") / "framework/course/app";
+    if (finds_faults) {
+        // As framework/cmake/add_lab.cmake compiles a task.
+        for (const char* option : {"-g1", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=address,undefined",
+                                   "-fsanitize-recover=all", "-fno-omit-frame-pointer"})
+            command.push_back(option);
+        command.push_back((objects / "sanitizers.cpp.o").string());
+    }
+    for (const auto& [file, text] : files)  // each file is a translation unit
+        if (file.ends_with(".cpp")) command.push_back((course.root() / file).string());
     for (const fs::path& object : grade::built_objects(lab, files)) command.push_back(object);
-    const fs::path program = course.root() / "bin" / ("lab-" + lab.two_digits());
-    const fs::path main =
-        build / "CMakeFiles" / ("lab-" + lab.two_digits() + ".dir") / "framework/course/app/main.cpp.o";
+    const fs::path program = course.root() / "bin" / name;
+    const fs::path main = objects / "main.cpp.o";
     for (const std::string& word :
          {main.string(), "-L" + (build / "bin").string(), std::string("-lrelief"),
           "-Wl,-rpath," + (build / "bin").string(), std::string("-lfmt"), std::string("-o"), program.string()})
@@ -43,13 +52,14 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::Course
     const Result compiled = run(command);
     EXPECT_EQ(compiled.code, 0) << compiled.err;
     if (compiled.code != 0) return {};
-    const Result checked = run({program.string(), "check", "--json"});
+    const Result checked = run({program.string(), "check", lab.folder, "--json"});
     std::vector<VariantCheck> results;
     try {
         const nlohmann::json report = nlohmann::json::parse(checked.out);
         for (const auto& one : report.at("tasks"))
             for (const auto& check : one["checks"])
-                results.push_back({one["id"], check["name"], check["outcome"], check["found"], one["mistake"]});
+                results.push_back(
+                    {one["id"], check["name"], check["outcome"], check["found"], one["hint"], check["look_at"]});
     } catch (const nlohmann::json::exception& error) {
         ADD_FAILURE() << error.what() << "\n" << checked.out << checked.err;
     }

@@ -27,9 +27,4 @@ Error::Error(const std::string& message) : std::runtime_error(one_line(message))
 Error::Error(const Place& place, const std::string& message, std::string details)
     : std::runtime_error(with_place(place, message)), place_(place), details_(std::move(details)) {}
 
-std::string Error::more_details() const {
-    const std::string first = std::string(what()) + '\n';
-    return details_.starts_with(first) ? details_.substr(first.size()) : details_;
-}
-
 }  // namespace relief

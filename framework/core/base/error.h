@@ -23,8 +23,6 @@ public:
     const Place& place() const { return place_; }
     /// Text that does not fit on one line, such as a compiler's log; or empty.
     const std::string& details() const { return details_; }
-    /// Returns the details without their first line, if that line repeats what().
-    std::string more_details() const;
 
 private:
     Place place_;

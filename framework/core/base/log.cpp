@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-bool is_verbose = false;
+bool tells_events = false;
 double milliseconds_before = 0;  // run time of the process before `watch` started
 Stopwatch watch;
 
@@ -35,15 +35,17 @@ void print_error(std::string_view message) {
 void print_note(std::string_view message) { say(fmt::format("relief: {}\n", message)); }
 
 void set_verbose(bool on) {
-    is_verbose = on;
+    tells_events = on;
     // The system knows the start of the process only to a hundredth of a second. But until now the process had one
     // thread, which never waited, so its processor time is its run time.
     watch = {};
     milliseconds_before = 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
 }
 
+bool is_verbose() { return tells_events; }
+
 void print_event(std::string_view message) {
-    if (is_verbose) say(fmt::format("[{:7.1f} ms] {}\n", milliseconds_before + watch.milliseconds(), message));
+    if (tells_events) say(fmt::format("[{:7.1f} ms] {}\n", milliseconds_before + watch.milliseconds(), message));
 }
 
 void Progress::next(std::string_view what) {

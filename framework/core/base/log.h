@@ -17,6 +17,7 @@ void print_note(std::string_view message);
 /// Prints an event of the run: "[  12.3 ms] message", with the time since the process began. Prints nothing unless
 /// set_verbose(true) was called, as --verbose does.
 void set_verbose(bool on);
+bool is_verbose();
 void print_event(std::string_view message);
 
 /// Measures the time since its construction.

@@ -8,8 +8,12 @@
 #include <thread>
 #include <vector>
 
+#include "framework/core/base/cancel.h"
+
 namespace relief {
 namespace {
+
+thread_local const std::atomic<bool>* cancelling = nullptr;
 
 /// Threads that are joined at the end, as std::jthread, which not every standard library has.
 class Helpers {
@@ -31,6 +35,9 @@ private:
 };
 
 }  // namespace
+
+CancelledBy::CancelledBy(const std::atomic<bool>& flag) { cancelling = &flag; }
+CancelledBy::~CancelledBy() { cancelling = nullptr; }
 
 unsigned hardware_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
@@ -65,10 +72,14 @@ void parallel_pieces(size_t count, size_t smallest, unsigned threads,
 void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one) {
     if (threads == 0) threads = hardware_threads();
     std::atomic<size_t> next = 0;
+    const std::atomic<bool>* const cancelled = cancelling;  // the caller's, for all threads
     // One piece per thread; each takes the next index until none is left.
     parallel_pieces(std::min(count, size_t{threads}), 1, threads, [&](size_t, size_t) {
         try {
-            for (size_t i = next++; i < count; i = next++) one(i);
+            for (size_t i = next++; i < count; i = next++) {
+                if (cancelled && *cancelled) throw Cancelled();
+                one(i);
+            }
         } catch (...) {
             next = count;
             throw;

@@ -51,8 +51,9 @@ struct ProcessResult {
     std::string report = {};  ///< the first 4 KiB
     bool stopped = false;     ///< by us, for its time or its output
 
-    /// Sets `ending` and `code` from a shell's exit code, which is 128 + the signal for a crash.
-    void exit_with(int shell_code);
+    /// Sets `ending` and `code` from a shell's exit code, which is 128 + the signal for a crash. The system kills a
+    /// program that ignores the signal for its limit of processor time, which cannot be before `wall` has that length.
+    void exit_with(int shell_code, double cpu_limit);
     bool succeeded() const { return ending == Ending::exited && code == 0; }
 };
 
@@ -85,6 +86,8 @@ public:
     ChildProcess& operator=(const ChildProcess&) = delete;
 
     ChildEnd wait();
+    /// Ends the copy as std::abort() does, in its main thread.
+    void abort();
 
 private:
     int process_;

@@ -6,7 +6,7 @@ namespace relief {
 
 const char* name_of(Ending) { return "failed"; }
 
-void ProcessResult::exit_with(int shell_code) {
+void ProcessResult::exit_with(int shell_code, double) {
     code = shell_code;
     ending = Ending::exited;
 }
@@ -27,6 +27,7 @@ ChildProcess::ChildProcess(const std::function<void()>& work) : process_(0) {
 }
 ChildProcess::~ChildProcess() = default;
 ChildEnd ChildProcess::wait() { return {.code = process_, .crash = {}}; }
+void ChildProcess::abort() {}
 
 void become_program(const std::vector<std::string>&) {}
 

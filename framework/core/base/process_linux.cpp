@@ -202,7 +202,8 @@ public:
         kill(process_, SIGKILL);
         if (!has_ended_) status_ = wait_for(process_);
         result_.wall = std::chrono::duration<double>(Clock::now() - begin).count();
-        if (!result_.stopped) result_.exit_with(WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_));
+        if (!result_.stopped)
+            result_.exit_with(WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), job_.limits.cpu);
         return std::move(result_);
     }
 
@@ -284,12 +285,12 @@ const char* name_of(Ending ending) {
     return names[int(ending)];
 }
 
-void ProcessResult::exit_with(int shell_code) {
+void ProcessResult::exit_with(int shell_code, double cpu_limit) {
     code = shell_code > 128 ? shell_code - 128 : shell_code;
     ending = Ending::exited;
     if (shell_code <= 128) return;
-    // This process did not send SIGKILL, so the kernel did because memory ran out.
-    ending = code == SIGKILL ? Ending::out_of_memory : code == SIGXCPU ? Ending::out_of_time : Ending::crashed;
+    const bool is_over = code == SIGXCPU || (code == SIGKILL && wall >= cpu_limit);
+    ending = is_over ? Ending::out_of_time : Ending::crashed;
 }
 
 ProcessResult run_process(const ProcessJob& job) {
@@ -335,6 +336,8 @@ ChildEnd ChildProcess::wait() {
     process_ = -1;
     return {.code = WEXITSTATUS(status), .crash = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : ""};
 }
+
+void ChildProcess::abort() { kill(process_, SIGABRT); }
 
 void become_program(const std::vector<std::string>& command) {
     std::vector<char*> words;

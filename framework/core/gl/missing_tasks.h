@@ -3,9 +3,9 @@
 
 namespace relief {
 
-/// While it lives, probes return not_written where their value depends on a task that is not written. People and
-/// printed figures need this. Without it, or if `tell` is false, probes use the task's stand-in value. Checks of other
-/// tasks need that.
+/// While an object of this class exists, probes return `not_written` where their value depends on a task that is not
+/// written: for the window and printed figures. Otherwise, or if `tell` is false, probes use the task's stand-in value:
+/// for checks of other tasks.
 class TellMissingTasks {
 public:
     explicit TellMissingTasks(bool tell = true);

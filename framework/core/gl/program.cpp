@@ -90,8 +90,14 @@ Program::Program(std::vector<ShaderSource> stages) {
     GLint done = GL_FALSE;
     glGetProgramiv(name_, GL_LINK_STATUS, &done);
     if (!done) {
-        const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), {});
-        throw Error({stages.back().stage}, "does not link with the other stages: " + log.first_message, log.text);
+        ShaderSource all;
+        for (const ShaderSource& source : stages) {
+            all.text += source.text;
+            all.lines.insert(all.lines.end(), source.lines.begin(), source.lines.end());
+        }
+        const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), all.lines, all.text);
+        throw Error(log.first.file.empty() ? Place{stages.back().stage} : log.first,
+                    "does not link with the other stages: " + log.first_message, log.text);
     }
     for (const ShaderName& shader : shaders) glDetachShader(name_, shader);
 

@@ -21,23 +21,25 @@ struct ShaderSource {
 /// Reads a stage and the files that it includes. An included file such as `"common/light.glsl"` is searched for beside
 /// the including file, then below the course's `shaders` folder. Each file is included once. `defines` ("NAME" or "NAME
 /// VALUE") are inserted after the `#version` line, which must be the first line of the stage. Throws Error with file
-/// and line.
+/// and line, also for a fault_of_source().
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
-/// Returns the same for a stage whose text is in memory. `stage` is the file that it would be in.
+/// Returns the same for a stage whose plain_source() is in memory. `stage` is the file that it would be in.
 ShaderSource load_shader_text(const std::string& text, const std::filesystem::path& stage,
                               const std::vector<std::string>& defines);
 
 /// Returns the names in a text's own #include lines, as written. Skips malformed lines.
 std::set<std::string> included_by(const std::string& text);
 
-/// A compiler's log in terms of the source files, and its first error. Each "0:12(5): " or "0(12) : " is replaced by
-/// the file and line that line 12 of the text comes from.
+/// The first error of a compiler's or a linker's log, in terms of the source files: its place and its message with
+/// advice. `text` is a folded_text(): the line of the source with a mark below the place, and the other messages. Each
+/// "0:12(5): " or "0(12) : " is replaced by the file and line that line 12 of the compiled text (`source`) comes from.
 ///
 /// GLSL could do this with a #line number per file, but Mesa 22.3 drops the file number from some messages, such as
 /// "undeclared".
 ///
-/// `source` is the compiled text. If given, each message is followed by the line that it refers to, once. Below it
-/// stands a mark at the column, if the compiler reports one.
+/// The advice is a name in scope, or of GLSL, that resembles an unknown one; GLSL's word for one of HLSL, C++ or
+/// Python; a ; or a bracket that is missing. An error in another file gets a place in `task.glsl` if that ends in the
+/// middle, or lacks, redefines or changes what the lab's shaders use.
 struct ShaderLog {
     Place first;
     std::string first_message;

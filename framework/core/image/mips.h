@@ -18,7 +18,7 @@ std::vector<Image> mip_chain(Image image, ColorSpace space);
 /// texel of level 0.
 std::vector<Image> normal_mip_chain(const Image& normals);
 
-/// Returns the factor of Toksvig (2004), length / (length + shininess (1 - length)). A Blinn-Phong highlight of an
+/// Returns the factor of Toksvig (2005), length / (length + shininess (1 - length)). A Blinn-Phong highlight of an
 /// averaged normal has `shininess` times this factor. With lengths stored in 8 bits it is only a guess at high
 /// shininess: at 512, the step from 255 to 254 changes it from 1 to 0.33. A length of 0 gives 0.
 double toksvig_factor(double length, double shininess);

@@ -149,7 +149,7 @@ ObjScene make_obj_scene(ObjModel model, const MapSwitches& maps, const std::func
 }
 
 void OwnObj::load(const fs::path& file) {
-    ObjModel model = read_obj(file, OwnMesh::limits);
+    ObjModel model = read_obj(file);
     for (Material& material : model.materials)
         for (fs::path* const map : {&material.diffuse_map, &material.specular_map, &material.opacity_map,
                                     &material.normal_map, &material.bump_map}) {

@@ -127,9 +127,9 @@ double metres_per_uv(const Mesh& mesh) {
 void OwnMesh::load(const std::filesystem::path& file) {
     GltfModel model;
     if (is_named_as_gltf(file)) {
-        model = read_gltf(file, limits);
+        model = read_gltf(file);
     } else {
-        ObjModel obj = read_obj(file, limits);
+        ObjModel obj = read_obj(file);
         model = {std::move(obj.mesh), obj.has_uvs};
     }
     try {

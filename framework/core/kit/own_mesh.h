@@ -56,9 +56,6 @@ public:
     const std::optional<Image>& normal_map() const { return normal_map_; }
     const Placement& placement() const { return placement_; }
 
-    /// Limits of a file: a lab draws it in each frame, on any machine, and may tessellate it.
-    static constexpr ObjLimits limits{.bytes = size_t{64} << 20, .corners = 900'000};
-
 private:
     void load(const std::filesystem::path& file) override;
 

@@ -115,7 +115,9 @@ void ReliefMaterial::knobs(Knobs& knobs) {
 bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }
 
 const ReliefMaterial::Made& ReliefMaterial::made() const {
-    return made_.get({map, size, bits, is_packed(), own_.version()}, [this] { return make(); });
+    const bool is_own = map == ReliefMap::own;
+    return made_.get({map, is_asset() ? 0 : size, bits, is_packed(), is_own ? own_.version() : 0},
+                     [this] { return make(); });
 }
 
 ReliefMaterial::Made ReliefMaterial::make() const {

@@ -65,7 +65,7 @@ private:
     OwnPicture own_;
     OwnPicture own_colors_;                  ///< as sRGB stores them
     mutable Kept<Texture, int> own_albedo_;  ///< by the version of the picture
-    /// Inputs: map, size, bits, is_packed() and version of the picture.
+    /// Inputs: map, size, bits, is_packed() and version of the picture; size and version are 0 for maps without them.
     mutable Kept<Made, int, int, int, bool, int> made_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
@@ -122,6 +123,7 @@ TaskInfo read_task(Table& table) {
     task.title = table.text("title");
     task.file = table.text("file");
     table.read("points", task.points, 0, 1000);
+    table.read("functions", task.functions);
     table.read("alone", task.alone);
     table.finish();
     if (!is_course_path(task.file))
@@ -212,35 +214,74 @@ MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     return mistake;
 }
 
-ExampleInfo read_example(Table& table, const Manifest& manifest) {
-    ExampleInfo example;
+void read_words(Table& table, const Manifest& manifest, ExampleInfo& example) {
     example.task = table.text("task");
     example.asks = table.text("asks");
+    require(table, "task", [&] { manifest.task(example.task); });
     table.read("calls", example.calls);
     table.read("within", example.within, 0, any);
-    example.edits = read_edits(table, "an example", manifest, example.task);
-    table.finish();
-    if (example.calls.empty()) table.fail("asks", "an example has 'calls' = [\"function(arguments)\"]");
-    return example;
+    table.read("needs", example.needs);
+    for (const std::string& other : example.needs) require(table, "needs", [&] { manifest.task(other); });
 }
 
-/// Adds a check for each task that has examples.
-void add_example_checks(Manifest& manifest) {
+constexpr const char* without_calls = "an example has 'calls' = [\"function(arguments)\"]";
+
+void read_public_example(Table& table, Manifest& manifest) {
+    ExampleInfo example;
+    read_words(table, manifest, example);
+    if (table.has("edits"))
+        table.fail("edits", "the 'edits' of an example belong in staff/grading.toml: they show the solution");
+    table.finish();
+    if (example.calls.empty()) table.fail("asks", without_calls);
+    for (const ExampleInfo& other : manifest.examples)
+        if (other.task == example.task && other.asks == example.asks)
+            table.fail("asks", fmt::format("two examples of task {} ask for \"{}\"", example.task, example.asks));
+    manifest.examples.push_back(std::move(example));
+}
+
+/// Reads an example of the staff's file. If a public example has the same words, the edits are of that example, and
+/// calls are hidden ones in addition.
+void read_staff_example(Table& table, Manifest& manifest) {
+    ExampleInfo example;
+    example.hidden = true;
+    read_words(table, manifest, example);
+    example.edits = read_edits(table, "an example", manifest, example.task);
+    table.finish();
+    const auto same = std::find_if(manifest.examples.begin(), manifest.examples.end(), [&](const ExampleInfo& other) {
+        return !other.hidden && other.task == example.task && other.asks == example.asks;
+    });
+    if (same == manifest.examples.end()) {
+        if (example.calls.empty()) table.fail("asks", without_calls);
+    } else {
+        if (!same->edits.empty())
+            table.fail("asks", fmt::format("two examples of task {} ask for \"{}\"", example.task, example.asks));
+        same->edits = std::exchange(example.edits, {});
+        if (example.calls.empty()) return;
+    }
+    manifest.examples.push_back(std::move(example));
+}
+
+/// Adds a check for each task that has public examples, or hidden ones.
+void add_example_checks(bool hidden, Manifest& manifest) {
     for (const TaskInfo& task : manifest.tasks) {
         CheckInfo check;
         check.task = task.id;
-        check.name = fmt::format("the words of task {}", task.id);
+        check.name = fmt::format("{} of task {}", hidden ? "more words" : "the words", task.id);
         check.against = "solution";
         check.shot.probe.name = calls_probe;
         check.shot.calls.file = task.file;
         check.shot.calls.includes = manifest.example_includes;
-        for (const ExampleInfo& example : manifest.examples)
-            if (example.task == task.id)
-                check.shot.calls.texts.insert(check.shot.calls.texts.end(), example.calls.begin(), example.calls.end());
+        std::set<std::string> needs;
+        for (const ExampleInfo& example : manifest.examples) {
+            if (example.task != task.id || example.hidden != hidden) continue;
+            check.shot.calls.texts.insert(check.shot.calls.texts.end(), example.calls.begin(), example.calls.end());
+            needs.insert(example.needs.begin(), example.needs.end());
+        }
+        check.needs.assign(needs.begin(), needs.end());
         if (!check.shot.calls) continue;
         check.shot.size = {int(check.shot.calls.texts.size()), 1};
         check.look_at = "read the task's text once more, sentence by sentence";
-        check.hidden = true;
+        check.hidden = hidden;
         manifest.checks.push_back(std::move(check));
     }
 }
@@ -372,7 +413,7 @@ void read_checks(Table& root, bool hidden, Manifest& manifest) {
 void add_picture_checks(Manifest& manifest) {
     std::vector<CheckInfo> added;
     for (const TaskInfo& task : manifest.tasks) {
-        const auto is_own = [&](const CheckInfo& check) { return check.task == task.id; };
+        const auto is_own = [&](const CheckInfo& check) { return check.task == task.id && !check.shot.calls; };
         const auto first = std::find_if(manifest.checks.begin(), manifest.checks.end(), is_own);
         if (first == manifest.checks.end() ||
             std::any_of(manifest.checks.begin(), manifest.checks.end(),
@@ -428,6 +469,9 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         manifest.tasks.push_back(std::move(task));
     }
     read_checks(root, false, manifest);
+    root.read("example_includes", manifest.example_includes);
+    for (Table& table : root.tables("example")) read_public_example(table, manifest);
+    add_example_checks(false, manifest);
     if (auto compare = root.table("compare")) manifest.compare = read_compare(*compare, manifest);
     for (Table& table : root.tables("golden")) {
         GoldenInfo golden = read_golden(table, manifest);
@@ -437,7 +481,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     if (!manifest.goldens.empty()) manifest.cover = manifest.goldens.front().name;
     root.read("cover", manifest.cover);
     if (!manifest.cover.empty()) require(root, "cover", [&] { manifest.golden(manifest.cover); });
-    for (const char* key : {"mistake", "equivalent", "example", "vary"})
+    for (const char* key : {"mistake", "equivalent", "vary"})
         if (root.has(key))
             root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));
     root.finish();
@@ -449,9 +493,8 @@ void add_grading(Manifest& manifest, const std::string& text, const fs::path& fi
     Table root(file, parsed, "a lab's grading");
     read_checks(root, true, manifest);
     add_picture_checks(manifest);
-    root.read("example_includes", manifest.example_includes);
-    for (Table& table : root.tables("example")) manifest.examples.push_back(read_example(table, manifest));
-    add_example_checks(manifest);
+    for (Table& table : root.tables("example")) read_staff_example(table, manifest);
+    add_example_checks(true, manifest);
     std::vector<Table> mistakes = root.tables("mistake");
     for (Table& table : mistakes) {
         MistakeInfo mistake = read_mistake(table, manifest);

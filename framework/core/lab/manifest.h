@@ -30,6 +30,9 @@ struct ProbeInfo {
 struct TaskInfo {
     std::string id, title, file;  ///< "11.2"; the file is relative to the course's top folder
     int points = 0;
+    /// The functions that a student writes, as "crossing(float, float)": their names and the types of their parameters
+    /// stay. Everything else in the file is the student's to change.
+    std::vector<std::string> functions = {};
     /// If it loses points with the student's other tasks, it is graded again with the solution of the other tasks.
     bool alone = true;
 };
@@ -75,14 +78,19 @@ struct MistakeInfo {
     std::string same_as;  ///< another mistake that no check can distinguish from this one, or empty
 };
 
-/// Something that the text of a task asks for, with calls of the task's functions that tell whether it is so. All
-/// examples of a task form one hidden check, whose expected values are the solution's.
+/// Something that the text of a task asks for, with calls of the task's functions that tell whether it is so. The
+/// public examples of a task form one public check, and the hidden ones another. The expected values are the
+/// solution's.
 struct ExampleInfo {
     std::string task;
     std::string asks;                ///< words of the task's text
     std::vector<std::string> calls;  ///< expressions; each results in a number, a bool or a vector of up to 4 numbers
     double within = 1e-4;            ///< limit of a component's error; relative where the right value is above 1
-    std::vector<Edit> edits;         ///< of the solution, so that at least one of the calls returns something else
+    std::vector<std::string> needs = {};  ///< the other tasks whose functions the calls use
+    bool hidden = false;                  ///< from the staff's file
+    /// Of the solution, so that at least one of the calls returns something else. Empty in the students' course, and
+    /// for a hidden example with the words of a public one, which has them.
+    std::vector<Edit> edits = {};
 };
 
 /// A knob that differs in hidden views: in a range, or among several values.
@@ -155,7 +163,8 @@ Manifest parse_manifest(const std::string& text, const std::filesystem::path& fi
 /// The name of the probe of ExampleInfo::calls. No lab has a probe with this name.
 inline constexpr const char* calls_probe = "calls";
 
-/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, examples, and knobs that vary. Each
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, hidden examples, edits of the public
+/// examples, and knobs that vary. Each
 /// task whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
 /// Otherwise a submission could be right in the probe, and wrong in the picture that a person sees.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);

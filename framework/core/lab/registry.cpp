@@ -35,7 +35,8 @@ const LabEntry& find_lab(std::string_view text) {
     const auto number = parse_int(text);
     for (const LabEntry& lab : registry()) {
         if (lab.number == number || lab.name == text || lab.folder == text) exact.push_back(&lab);
-        if (!text.empty() && !number && lab.folder.find(text) != std::string::npos) partial.push_back(&lab);
+        if (!text.empty() && !number && ("_" + lab.folder).find("_" + std::string(text)) != std::string::npos)
+            partial.push_back(&lab);  // from the beginning of a word: "all" is not meant to be "parallax"
     }
     if (exact.size() == 1) return *exact.front();
     if (exact.empty() && partial.size() == 1) return *partial.front();

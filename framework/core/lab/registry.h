@@ -21,8 +21,8 @@ struct LabEntry {
 /// Returns all labs, by number.
 const std::vector<LabEntry>& registry();
 
-/// Finds a lab by "7", "07", "planet", "07_planet" or any part of a name that is unique. Throws UsageError that
-/// suggests a name.
+/// Finds a lab by "9", "09", "planet", "09_planet" or a beginning of words in a name, such as "plan" or "exact", if
+/// only one lab has it. Throws UsageError that suggests a name.
 const LabEntry& find_lab(std::string_view text);
 
 /// Finds the labs of a list such as "1-5", "1,3,10-12" or "normal_map,4". Returns each lab once, by number. A range

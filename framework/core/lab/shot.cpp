@@ -187,6 +187,7 @@ size_t pixels_not_written(const Image& image) {
 }
 
 void refuse_unusable(const Image& image, const Shot& shot, bool without_tasks) {
+    if (shot.calls) return;  // a call may return anything
     if (shot.probe)
         refuse_broken_probe(image, shot.probe, without_tasks);
     else if (image.pixel_count() > 1 && is_one_color(image))

@@ -83,26 +83,14 @@ void add_triangles(ObjModel& model, const obj::Faces& faces, const std::vector<i
     }
 }
 
-void make_right_handed(obj::Faces& faces) {
-    for (glm::vec3& position : faces.positions) position.z = -position.z;
-    for (glm::vec3& normal : faces.normals) normal.z = -normal.z;
-    for (glm::vec2& uv : faces.uvs) uv.y = 1 - uv.y;
-    for (const obj::Face& face : faces.faces)
-        std::reverse(faces.corners.begin() + face.first, faces.corners.begin() + face.first + face.count);
-}
-
 /// `materials_of` returns the materials of the libraries that the faces name.
 template <class Materials>
-ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, const ObjOptions& options,
-                    Materials materials_of) {
+ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, Materials materials_of) {
     const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int can count everything in it
     if (text.size() > most_bytes)
         throw Error({file}, fmt::format("{} bytes, the limit is {}", text.size(), most_bytes));
     obj::Notes notes;
     obj::Faces faces = obj::read_faces(text, file, limits, notes);
-    if (options.left_handed) make_right_handed(faces);
-    if (options.recompute_normals)
-        for (obj::Corner& corner : faces.corners) corner.normal = -1;
     ObjModel model;
     model.materials = materials_of(faces.libraries, notes);
     model.has_normals =
@@ -129,7 +117,7 @@ std::vector<fs::path> library_files(std::string slashed, const fs::path& folder)
 
 }  // namespace
 
-ObjModel read_obj(const fs::path& file, const ObjLimits& limits, const ObjOptions& options) {
+ObjModel read_obj(const fs::path& file, const ObjLimits& limits) {
     const fs::path folder = file.parent_path();
     const auto materials_of = [&](const std::vector<obj::Named>& libraries, obj::Notes& notes) {
         std::vector<Material> materials;
@@ -147,12 +135,11 @@ ObjModel read_obj(const fs::path& file, const ObjLimits& limits, const ObjOption
             }
         return materials;
     };
-    return read_model(read_file(file, limits.bytes), file, limits, options, materials_of);
+    return read_model(read_file(file, limits.bytes), file, limits, materials_of);
 }
 
-ObjModel parse_obj(std::string_view text, std::string_view mtl_text, const fs::path& name, const ObjLimits& limits,
-                   const ObjOptions& options) {
-    return read_model(text, name, limits, options, [&](const std::vector<obj::Named>&, obj::Notes& notes) {
+ObjModel parse_obj(std::string_view text, std::string_view mtl_text, const fs::path& name, const ObjLimits& limits) {
+    return read_model(text, name, limits, [&](const std::vector<obj::Named>&, obj::Notes& notes) {
         return obj::read_materials(mtl_text, fs::path(name).replace_extension(".mtl"), name.parent_path(), notes);
     });
 }

@@ -33,15 +33,15 @@ struct Material {
     float opacity = 1;               ///< d, or else 1 - Tr; clamped to [0, 1]
     float bump_scale = 1;            ///< -bm of the bump map
     // Paths that can be opened (relative ones begin with the model's folder), or empty.
-    std::filesystem::path diffuse_map;       ///< map_Kd
-    std::filesystem::path specular_map;      ///< map_Ks
-    std::filesystem::path shininess_map;     ///< map_Ns
-    std::filesystem::path opacity_map;       ///< map_d
-    std::filesystem::path ambient_map;       ///< map_Ka
-    std::filesystem::path emission_map;      ///< map_Ke
-    std::filesystem::path bump_map;          ///< map_Bump, map_bump or bump: heights, and in some files normals
-    std::filesystem::path normal_map;        ///< norm
-    std::filesystem::path displacement_map;  ///< disp or map_disp
+    std::filesystem::path diffuse_map = {};       ///< map_Kd
+    std::filesystem::path specular_map = {};      ///< map_Ks
+    std::filesystem::path shininess_map = {};     ///< map_Ns
+    std::filesystem::path opacity_map = {};       ///< map_d
+    std::filesystem::path ambient_map = {};       ///< map_Ka
+    std::filesystem::path emission_map = {};      ///< map_Ke
+    std::filesystem::path bump_map = {};          ///< map_Bump, map_bump or bump: heights, and in some files normals
+    std::filesystem::path normal_map = {};        ///< norm
+    std::filesystem::path displacement_map = {};  ///< disp or map_disp
     /// Keywords of its statements and options of its maps, each once, in the order of the file, at most 32. They tell a
     /// renderer which of them it does not use, also of those that have no member here (Tf, -clamp).
     std::vector<std::string> words = {};
@@ -65,16 +65,10 @@ struct ObjModel {
     std::vector<std::string> notes;
 };
 
+/// Limits of a model. Labs and `relief map` have the same ones: a lab can show what `map bake` bakes.
 struct ObjLimits {
     size_t bytes = size_t{128} << 20;  ///< of the OBJ file; clamped to 2 GiB
-    size_t corners = 6'000'000;        ///< of all faces together; each takes up to 150 bytes
-};
-
-struct ObjOptions {
-    /// Computes all normals from the faces, as for a file without normals.
-    bool recompute_normals = false;
-    /// The file has left-handed axes, as Direct3D's. Negates z, reverses the winding of faces, and flips v.
-    bool left_handed = false;
+    size_t corners = 3'000'000;        ///< of all faces together; each takes up to 150 bytes
 };
 
 /// Reads a model, and the material files that it names, from its folder. A fault in a material file gives a note.
@@ -82,12 +76,11 @@ struct ObjOptions {
 /// - a number that is unreadable or not finite, or an index out of range;
 /// - a face of fewer than 3 or more than 1024 corners;
 /// - a file without faces, or beyond `limits`.
-ObjModel read_obj(const std::filesystem::path& file, const ObjLimits& limits = {}, const ObjOptions& options = {});
+ObjModel read_obj(const std::filesystem::path& file, const ObjLimits& limits = {});
 
 /// Parses texts in memory likewise, and opens no files. `name` replaces the file's name in messages, and its folder is
 /// put in front of relative maps. `mtl_text` replaces all material files that the model names.
 ObjModel parse_obj(std::string_view text, std::string_view mtl_text = {},
-                   const std::filesystem::path& name = "model.obj", const ObjLimits& limits = {},
-                   const ObjOptions& options = {});
+                   const std::filesystem::path& name = "model.obj", const ObjLimits& limits = {});
 
 }  // namespace relief

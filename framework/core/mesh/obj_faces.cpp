@@ -1,19 +1,11 @@
-// Faces of an OBJ text, read by tinyobjloader.
-//
-// tinyobjloader skips errors silently: it reads "v 1 x 3" as (1, 0, 3), and does not check that an index exists. So it
-// gets one statement at a time, checked beforehand. Its callbacks handle the result while the line number is still
-// known.
+// Faces of an OBJ text.
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <cmath>
-#include <istream>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
-#include <streambuf>
 
 #include "framework/core/base/text.h"
 #include "framework/core/mesh/obj_parts.h"
@@ -21,46 +13,46 @@
 namespace relief::obj {
 namespace {
 
-constexpr int most_corners_of_a_face = 1024;
+constexpr uint32_t most_corners_of_a_face = 1024;
 
-/// Accepts "7", "7/2", "7//3" or "7/2/3": integers other than 0 that fit into an int. The first must not be empty.
-bool is_corner(std::string_view word) {
-    for (int part = 0; part < 3; ++part) {
+/// Parses "7", "7/2", "7//3" or "7/2/3": indices of a position, a uv and a normal that fit into an int and are not 0; 0
+/// for none. The first must not be empty.
+std::optional<std::array<int, 3>> parse_corner(std::string_view word) {
+    std::array<int, 3> indices = {};
+    for (size_t part = 0; part < 3; ++part) {
         const size_t length = std::min(word.find('/'), word.size());
         const std::string_view digits = word.substr(0, length);
-        if (parse_int(digits).value_or(0) == 0 && (part == 0 || !digits.empty())) return false;
-        if (length == word.size()) return true;
+        indices[part] = parse_int(digits).value_or(0);
+        if (indices[part] == 0 && (part == 0 || !digits.empty())) return {};
+        if (length == word.size()) return indices;
         word.remove_prefix(length + 1);
     }
-    return false;
+    return {};
 }
 
-/// The stream that tinyobjloader reads, and the state that its callbacks fill.
-class Reader : public std::streambuf {
+class Reader {
 public:
     Reader(std::string_view text, const std::filesystem::path& file, const ObjLimits& limits, Notes& notes)
         : statements_(text, file), limits_(limits), notes_(notes) {}
 
     Faces read() {
-        tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* reader, float x, float y, float z, float) {
-            Reader& self = *static_cast<Reader*>(reader);
-            self.faces_.positions.push_back(self.finite({x, y, z}));
-        };
-        callbacks.normal_cb = [](void* reader, float x, float y, float z) {
-            Reader& self = *static_cast<Reader*>(reader);
-            self.faces_.normals.push_back(self.finite({x, y, z}));
-        };
-        callbacks.texcoord_cb = [](void* reader, float u, float v, float) {
-            Reader& self = *static_cast<Reader*>(reader);
-            self.faces_.uvs.push_back(self.finite({u, v, 0}));
-        };
-        callbacks.index_cb = [](void* reader, tinyobj::index_t* corners, int count) {
-            static_cast<Reader*>(reader)->add_face({corners, size_t(count)});
-        };
-        std::istream stream(this);
-        stream.exceptions(std::ios::badbit);  // lets an Error of underflow() propagate
-        tinyobj::LoadObjWithCallback(stream, callbacks, this);
+        while (statements_.next()) {
+            const std::string_view keyword = statements_.keyword();
+            if (keyword == "v") {
+                const auto numbers = take_numbers(3, 7);  // x y z [w], or x y z red green blue [alpha]
+                faces_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
+            } else if (keyword == "vt") {
+                const auto numbers = take_numbers(1, 3);
+                faces_.uvs.emplace_back(numbers[0], numbers[1]);
+            } else if (keyword == "vn") {
+                const auto numbers = take_numbers(3, 3);
+                faces_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
+            } else if (keyword == "f") {
+                add_face();
+            } else {
+                change_state(keyword, statements_.rest());
+            }
+        }
         if (faces_.faces.empty()) throw Error({statements_.file()}, "has no faces");
         check_indices();
         drop_normals_without_length();
@@ -68,57 +60,46 @@ public:
     }
 
 private:
-    int_type underflow() override {
-        while (statements_.next()) {
-            const std::string_view keyword = statements_.keyword();
-            if (keyword == "v")
-                show_numbers(3, 3, 7);  // x y z [w], or x y z red green blue [alpha]
-            else if (keyword == "vt")
-                show_numbers(1, 2, 3);
-            else if (keyword == "vn")
-                show_numbers(3, 3, 3);
-            else if (keyword == "f")
-                show_face();
-            else {
-                change_state(keyword, statements_.rest());
-                continue;
-            }
-            setg(shown_.data(), shown_.data(), shown_.data() + shown_.size());
-            return traits_type::to_int_type(shown_.front());
-        }
-        return traits_type::eof();
-    }
-
-    void show_numbers(int min, int wanted, int max) {
-        shown_ = statements_.keyword();
+    /// Returns the first three numbers of a statement; 0 for those that are missing.
+    std::array<float, 3> take_numbers(int min, int max) {
+        std::array<float, 3> numbers = {};
         std::string_view rest = statements_.rest();
         int count = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            if (!is_number(word)) statements_.fail(fmt::format("'{}' is not a finite number", excerpt(word)));
-            if (++count <= wanted) shown_.append(" ").append(word);
+            const std::optional<float> number = number_of(word);
+            if (!number) statements_.fail(fmt::format("'{}' is not a finite number", excerpt(word)));
+            if (count < 3) numbers[size_t(count)] = *number;
+            ++count;
         }
         if (count < min || count > max)
             statements_.fail(fmt::format("'{}' takes {} numbers, here are {}", statements_.keyword(), min, count));
-        shown_ += '\n';
+        return numbers;
     }
 
-    void show_face() {
-        shown_ = "f";
+    void add_face() {
+        Face face = {.first = uint32_t(faces_.corners.size()),
+                     .smoothing = smoothing_,
+                     .material = material_,
+                     .line = statements_.line()};
         std::string_view rest = statements_.rest();
-        int count = 0;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            if (!is_corner(word))
+            const auto corner = parse_corner(word);
+            if (!corner)
                 statements_.fail(
                     fmt::format("'{}' is not a corner of a face, such as 7, 7/2, 7//3 or 7/2/3, with "
                                 "whole numbers other than 0",
                                 excerpt(word)));
-            if (++count > most_corners_of_a_face)
+            if (++face.count > most_corners_of_a_face)
                 statements_.fail(fmt::format("a face of more than {} corners", most_corners_of_a_face));
-            // Drop slashes at the end: after "7/", tinyobjloader would read the next corner as the uv.
-            shown_.append(" ").append(word.substr(0, word.find_last_not_of('/') + 1));
+            if (faces_.corners.size() == limits_.corners)
+                statements_.fail(fmt::format("the faces have more than {} corners", limits_.corners));
+            const auto [position, uv, normal] = *corner;
+            faces_.corners.push_back({.position = resolve(position, faces_.positions.size(), "v"),
+                                      .uv = resolve(uv, faces_.uvs.size(), "vt"),
+                                      .normal = resolve(normal, faces_.normals.size(), "vn")});
         }
-        if (count < 3) statements_.fail(fmt::format("a face of {} corners; it takes 3 at least", count));
-        shown_ += '\n';
+        if (face.count < 3) statements_.fail(fmt::format("a face of {} corners; it takes 3 at least", face.count));
+        faces_.faces.push_back(face);
     }
 
     void change_state(std::string_view keyword, std::string_view rest) {
@@ -143,27 +124,6 @@ private:
         const auto [found, is_new] = indices.try_emplace(std::string(name), int32_t(names.size()));
         if (is_new) names.push_back({found->first, statements_.line()});
         return found->second;
-    }
-
-    /// Rejects valid numbers that tinyobjloader reads as non-finite, such as 0e999.
-    glm::vec3 finite(const glm::vec3& value) const {
-        if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z))
-            statements_.fail("a number has an exponent out of range");
-        return value;
-    }
-
-    void add_face(std::span<const tinyobj::index_t> corners) {
-        if (faces_.corners.size() + corners.size() > limits_.corners)
-            statements_.fail(fmt::format("the faces have more than {} corners", limits_.corners));
-        faces_.faces.push_back({.first = uint32_t(faces_.corners.size()),
-                                .count = uint32_t(corners.size()),
-                                .smoothing = smoothing_,
-                                .material = material_,
-                                .line = statements_.line()});
-        for (const tinyobj::index_t& corner : corners)
-            faces_.corners.push_back({.position = resolve(corner.vertex_index, faces_.positions.size(), "v"),
-                                      .uv = resolve(corner.texcoord_index, faces_.uvs.size(), "vt"),
-                                      .normal = resolve(corner.normal_index, faces_.normals.size(), "vn")});
     }
 
     /// Returns the zero-based index, or -1 for none. In the file, 1 is the first, -1 the latest so far, and 0 means
@@ -203,7 +163,6 @@ private:
     Statements statements_;
     const ObjLimits& limits_;
     Notes& notes_;
-    std::string shown_;
     Faces faces_;
     std::map<std::string, int32_t> material_indices_, library_indices_;
     std::set<std::string> unread_;

@@ -1,15 +1,9 @@
-// Materials of an MTL text, read by tinyobjloader.
-//
-// tinyobjloader gets only the statements that this course needs, checked and normalised one line at a time. It expects
-// three numbers after -o, -s and -t, where the format also allows one or two, and would swallow the map's name.
+// Materials of an MTL text.
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
-#include <sstream>
+#include <utility>
 
 #include "framework/core/base/text.h"
 #include "framework/core/mesh/obj_parts.h"
@@ -27,96 +21,68 @@ const std::map<std::string_view, int>& arguments_of_options() {
     return arguments_of;
 }
 
-/// Takes options off the front, and returns them with all their numbers. `is_end` means that no name follows; then the
-/// result is empty if an option lacks its arguments.
-std::string take_options(std::string_view& rest, bool is_end) {
-    const auto& arguments_of = arguments_of_options();
-    std::string whole;
+/// Options of a map, with their first arguments.
+using Options = std::vector<std::pair<std::string_view, std::string_view>>;
+
+/// The name of a map without quotes, the options before and after it, and its bump multiplier. Of several options of
+/// one name, one before the map's name counts.
+struct MapWords {
+    std::string name = {};
+    std::vector<std::string_view> options = {};
+    float bump_scale = 1;
+};
+
+/// Takes options with their arguments off the front. `-o`, `-s` and `-t` have one to three numbers. `is_end` means that
+/// no name follows; then the result is empty if an option lacks its arguments.
+Options take_options(std::string_view& rest, bool is_end) {
+    Options options;
     while (true) {
         std::string_view after = rest;
         const std::string_view option = take_name(after);
-        const auto found = arguments_of.find(option);
-        if (found == arguments_of.end()) break;
-        whole.append(option).append(" ");
+        const auto found = arguments_of_options().find(option);
+        if (found == arguments_of_options().end()) return options;
+        options.emplace_back(option, std::string_view());
         for (int i = 0; i < found->second; ++i) {
             std::string_view beyond = after;
             const std::string_view word = take_name(beyond);
             if (is_end && word.empty() && (found->second < 3 || i == 0)) return {};
             const bool is_there =
-                found->second < 3 ? !word.empty() : is_number(word) && (is_end || !trimmed(beyond).empty());
-            whole.append(is_there ? word : option == "-s" ? "1" : "0").append(" ");
-            if (is_there) after = beyond;
+                found->second < 3 ? !word.empty() : number_of(word) && (is_end || !trimmed(beyond).empty());
+            if (!is_there) continue;
+            if (i == 0) options.back().second = word;
+            after = beyond;
         }
         rest = after;
     }
-    return whole;
 }
 
-/// The options of a map with all their numbers, from before and after its name, and its name without quotes. Each of
-/// these may be empty.
-struct MapWords {
-    std::string options, name;
-};
-
 MapWords map_words(std::string_view rest) {
-    std::string whole = take_options(rest, false);
+    MapWords map;
+    const Options before = take_options(rest, false);
+    Options after;
     std::string_view name = trimmed(rest), end;
     if (const size_t quote = name.find('"', 1); name.starts_with('"') && quote != std::string_view::npos) {
         end = name.substr(quote + 1), name = name.substr(1, quote - 1);
-        return {take_options(end, true) + whole, std::string(name)};
-    }
-    // A word like an option may be part of the name. It is an option only if nothing but options follows it.
-    for (size_t dash = name.find(" -"); dash != std::string_view::npos; dash = name.find(" -", dash + 1)) {
-        end = name.substr(dash + 1);
-        std::string options = take_options(end, true);
-        if (!options.empty() && trimmed(end).empty())
-            return {options + whole, std::string(trimmed(name.substr(0, dash)))};
-    }
-    return {whole, std::string(name)};
-}
-
-/// Returns the line of a statement for tinyobjloader, or an empty string to skip it. Adds its keyword and its options
-/// to `words`, unless they are there.
-std::string checked(const Statements& statement, std::vector<std::string>& words, Notes& notes) {
-    const auto add = [&](std::string_view word) {
-        if (words.size() < most_words && std::find(words.begin(), words.end(), word) == words.end())
-            words.push_back(excerpt(word));
-    };
-    add(statement.keyword());
-
-    static const std::set<std::string_view> maps = {"map_Ka",   "map_Kd",   "map_Ks",  "map_Ke", "map_Ns",
-                                                    "map_d",    "norm",     "bump",    "disp",   "map_bump",
-                                                    "map_Bump", "map_disp", "map_Disp"};
-    const std::string keyword(statement.keyword());
-    if (maps.contains(keyword)) {
-        const auto [options, name] = map_words(statement.rest());
-        for (const std::string& word : split(options, ' '))
-            if (arguments_of_options().contains(word)) add(word);
-        return fmt::format("{} {}{}\n", keyword, options, name);
-    }
-
-    static const std::map<std::string_view, int> numbers_of = {{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"Ke", 3},
-                                                               {"d", 1},  {"Tr", 1}, {"Ns", 1}, {"illum", 1}};
-    const auto found = numbers_of.find(keyword);
-    if (found == numbers_of.end()) return {};
-    std::string line = keyword;
-    std::string_view rest = statement.rest();
-    for (int i = 0; i < found->second; ++i) {
-        const std::string_view word = take_word(rest);
-        if (!is_number(word)) {
-            notes.add(statement.file(), statement.line(),
-                      fmt::format("'{}' is left out: '{}' is not a finite number", keyword, excerpt(word)));
-            return {};
+        after = take_options(end, true);
+    } else {
+        // A word like an option may be part of the name. It is an option only if nothing but options follows it.
+        for (size_t dash = name.find(" -"); dash != std::string_view::npos; dash = name.find(" -", dash + 1)) {
+            end = name.substr(dash + 1);
+            after = take_options(end, true);
+            if (!after.empty() && trimmed(end).empty()) {
+                name = trimmed(name.substr(0, dash));
+                break;
+            }
+            after.clear();
         }
-        line.append(" ").append(word);
     }
-    return line + "\n";
-}
-
-float finite_or(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }
-
-glm::vec3 color(const float (&rgb)[3], float otherwise) {
-    return {finite_or(rgb[0], otherwise), finite_or(rgb[1], otherwise), finite_or(rgb[2], otherwise)};
+    map.name = name;
+    for (const Options* options : {&std::as_const(after), &before})
+        for (const auto& [option, argument] : *options) {
+            map.options.push_back(option);
+            if (option == "-bm") map.bump_scale = number_of(argument).value_or(1);
+        }
+    return map;
 }
 
 /// Returns a map's path for this system. Backslashes become slashes. A path with a drive letter loses its folders, so
@@ -127,62 +93,104 @@ std::filesystem::path map_path(std::string name, const std::filesystem::path& fo
     return name.empty() ? std::filesystem::path() : (folder / name).lexically_normal();
 }
 
+/// Reads the statements of one material.
+class MaterialReader {
+public:
+    MaterialReader(Material& material, const std::filesystem::path& folder, Notes& notes)
+        : material_(material), folder_(folder), notes_(notes) {}
+
+    void read(const Statements& statement) {
+        add_word(statement.keyword());
+        static const std::map<std::string_view, std::filesystem::path Material::*> maps = {
+            {"map_Ka", &Material::ambient_map},       {"map_Kd", &Material::diffuse_map},
+            {"map_Ks", &Material::specular_map},      {"map_Ke", &Material::emission_map},
+            {"map_Ns", &Material::shininess_map},     {"map_d", &Material::opacity_map},
+            {"norm", &Material::normal_map},          {"bump", &Material::bump_map},
+            {"map_bump", &Material::bump_map},        {"map_Bump", &Material::bump_map},
+            {"disp", &Material::displacement_map},    {"map_disp", &Material::displacement_map},
+            {"map_Disp", &Material::displacement_map}};
+        if (const auto map = maps.find(statement.keyword()); map != maps.end())
+            read_map(statement, map->second);
+        else
+            read_numbers(statement);
+    }
+
+private:
+    void add_word(std::string_view word) {
+        std::vector<std::string>& words = material_.words;
+        if (words.size() < most_words && std::find(words.begin(), words.end(), word) == words.end())
+            words.push_back(excerpt(word));
+    }
+
+    void read_map(const Statements& statement, std::filesystem::path Material::*map) {
+        const MapWords words = map_words(statement.rest());
+        for (const std::string_view option : words.options) add_word(option);
+        if (words.name.empty()) return;
+        material_.*map = map_path(words.name, folder_);
+        if (map == &Material::bump_map) material_.bump_scale = words.bump_scale;
+    }
+
+    void read_numbers(const Statements& statement) {
+        const std::string_view keyword = statement.keyword();
+        static const std::map<std::string_view, glm::vec3 Material::*> colors = {{"Ka", &Material::ambient},
+                                                                                 {"Kd", &Material::diffuse},
+                                                                                 {"Ks", &Material::specular},
+                                                                                 {"Ke", &Material::emission}};
+        std::string_view rest = statement.rest();
+        if (const auto color = colors.find(keyword); color != colors.end()) {
+            glm::vec3 rgb;
+            for (int i = 0; i < 3; ++i)
+                if (!read_number(statement, rest, rgb[i])) return;
+            material_.*color->second = rgb;
+            return;
+        }
+        float number = 0;
+        if (keyword != "d" && keyword != "Tr" && keyword != "Ns" && keyword != "illum") return;
+        if (!read_number(statement, rest, number)) return;
+        if (keyword == "Ns") material_.shininess = number;
+        if (keyword == "illum") material_.illumination = int(std::clamp(number, -1000.0f, 1000.0f));
+        if (keyword == "d" || (keyword == "Tr" && !has_d_))
+            material_.opacity = std::clamp(keyword == "d" ? number : 1 - number, 0.0f, 1.0f);
+        has_d_ |= keyword == "d";
+    }
+
+    bool read_number(const Statements& statement, std::string_view& rest, float& number) {
+        const std::string_view word = take_word(rest);
+        if (const std::optional<float> read = number_of(word)) {
+            number = *read;
+            return true;
+        }
+        notes_.add(statement.file(), statement.line(),
+                   fmt::format("'{}' is left out: '{}' is not a finite number", statement.keyword(), excerpt(word)));
+        return false;
+    }
+
+    Material& material_;
+    const std::filesystem::path& folder_;
+    Notes& notes_;
+    bool has_d_ = false;  ///< then `Tr`, its opposite, does not count
+};
+
 }  // namespace
 
 std::vector<Material> read_materials(std::string_view text, const std::filesystem::path& file,
                                      const std::filesystem::path& folder, Notes& notes) {
-    std::string shown;
-    std::vector<std::string> names;
-    std::vector<int> lines;  // of the names
-    std::vector<std::vector<std::string>> words;
+    std::vector<Material> materials;
+    std::optional<MaterialReader> reader;
     Statements statements(text, file);
     try {
         while (statements.next()) {
             if (statements.keyword() == "newmtl") {
                 if (statements.rest().empty()) statements.fail("a material without a name; the rest is not read");
-                if (names.size() == most_materials) statements.fail("too many materials; the rest is not read");
-                // The number replaces the name, because newer releases of tinyobjloader end a name at its first blank.
-                // The diffuse colour is set, because its default depends on the previous materials.
-                shown += fmt::format("newmtl {}\nKd 1 1 1\n", names.size());
-                names.emplace_back(statements.rest());
-                lines.push_back(statements.line());
-                words.emplace_back();
-            } else if (!names.empty()) {
-                shown += checked(statements, words.back(), notes);
+                if (materials.size() == most_materials) statements.fail("too many materials; the rest is not read");
+                materials.push_back({.name = std::string(statements.rest()), .file = file, .line = statements.line()});
+                reader.emplace(materials.back(), folder, notes);
+            } else if (reader) {
+                reader->read(statements);
             }
         }
     } catch (const Error& error) {
         notes.add(error);
-    }
-    std::istringstream stream(shown);
-    std::map<std::string, int> indices;
-    std::vector<tinyobj::material_t> read;
-    tinyobj::LoadMtl(&indices, &read, &stream, nullptr, nullptr);
-
-    std::vector<Material> materials;
-    for (const tinyobj::material_t& material : read) {
-        if (material.name.empty()) continue;  // tinyobjloader adds one without a name
-        materials.push_back({.name = names[materials.size()],
-                             .diffuse = color(material.diffuse, 1),
-                             .specular = color(material.specular, 0),
-                             .ambient = color(material.ambient, 0),
-                             .emission = color(material.emission, 0),
-                             .illumination = material.illum,
-                             .shininess = finite_or(material.shininess, 1),
-                             .opacity = std::clamp(finite_or(material.dissolve, 1), 0.0f, 1.0f),
-                             .bump_scale = finite_or(material.bump_texopt.bump_multiplier, 1),
-                             .diffuse_map = map_path(material.diffuse_texname, folder),
-                             .specular_map = map_path(material.specular_texname, folder),
-                             .shininess_map = map_path(material.specular_highlight_texname, folder),
-                             .opacity_map = map_path(material.alpha_texname, folder),
-                             .ambient_map = map_path(material.ambient_texname, folder),
-                             .emission_map = map_path(material.emissive_texname, folder),
-                             .bump_map = map_path(material.bump_texname, folder),
-                             .normal_map = map_path(material.normal_texname, folder),
-                             .displacement_map = map_path(material.displacement_texname, folder),
-                             .words = words[materials.size()],
-                             .file = file,
-                             .line = lines[materials.size()]});
     }
     return materials;
 }

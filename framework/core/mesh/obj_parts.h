@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,8 +53,8 @@ std::string_view take_word(std::string_view& rest);
 /// As take_word(), but '#' does not begin a comment.
 std::string_view take_name(std::string_view& rest);
 std::string_view trimmed(std::string_view text);
-/// Returns whether a word is a finite decimal number in the range of a float.
-bool is_number(std::string_view word);
+/// Parses a finite decimal number in the range of a float. Returns nothing for other words.
+std::optional<float> number_of(std::string_view word);
 /// Returns a word as it may appear in a message: short, and without control characters.
 std::string excerpt(std::string_view word);
 

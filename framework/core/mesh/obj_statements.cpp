@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "framework/core/base/text.h"
 #include "framework/core/mesh/obj_parts.h"
@@ -40,9 +39,10 @@ std::string_view take_word(std::string_view& rest) {
     return rest.starts_with('#') ? std::string_view() : take_name(rest);
 }
 
-bool is_number(std::string_view word) {
+std::optional<float> number_of(std::string_view word) {
     const std::optional<double> value = parse_number(word.substr(word.starts_with('+') ? 1 : 0));
-    return value && !word.starts_with("+-") && std::abs(*value) <= double(std::numeric_limits<float>::max());
+    if (!value || word.starts_with("+-") || std::abs(*value) > double(std::numeric_limits<float>::max())) return {};
+    return float(*value);
 }
 
 std::string excerpt(std::string_view word) {

@@ -9,6 +9,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/folded_text.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/process.h"
@@ -17,7 +18,8 @@
 #include "framework/core/image/compare.h"
 #include "framework/course/app/command.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/patience.h"
+#include "framework/course/check/check_apart.h"
+#include "framework/course/check/verdict_json.h"
 #include "framework/course/pages/check_page.h"
 #include "framework/course/pages/page.h"
 
@@ -32,7 +34,7 @@ std::string colored(check::Outcome outcome, const std::string& word) {
     if (!on) return word;
     return fmt::format("\x1b[{}m{}\x1b[0m",
                        outcome == check::Outcome::passed                                             ? 32
-                       : outcome == check::Outcome::unfinished || outcome == check::Outcome::waiting ? 33
+                       : outcome <= check::Outcome::waiting || outcome == check::Outcome::unfinished ? 33
                                                                                                      : 31,
                        word);
 }
@@ -42,28 +44,31 @@ class Printer {
 public:
     Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
 
-    void print(const check::TaskResult& task) {
-        fmt::print("{}  {}: {} ({})\n", task.task->id, task.task->title, check::points_text(task), task.task->file);
+    void print(const check::TaskVerdict& task) {
+        fmt::print("{}  {}: {} ({})\n", task.id, task.title, check::points_text(task), task.file);
+        if (!task.hint.empty()) fmt::print("  look at: {}\n", without_backticks(task.hint));
         hints_.clear();
-        for (const check::CheckResult& result : task.checks) print(result, *task.task);
+        for (const check::Verdict& result : task.checks) print(result, task);
+        for (const std::string& demand : task.not_tested) fmt::print("  not tested here: \"{}\"\n", demand);
     }
 
 private:
-    void print(const check::CheckResult& result, const TaskInfo& task) {
+    void print(const check::Verdict& result, const check::TaskVerdict& task) {
         const bool is_broken = result.outcome == check::Outcome::broken;
-        const bool is_repeated = is_broken && !messages_.insert(result.found + result.details).second;
+        const bool is_repeated =
+            is_broken && !messages_.insert(result.found + unfolded_text(result.details).shown).second;
         fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", check::name_of(result.outcome))),
-                   result.check->name, is_repeated ? "the same message as above" : result.found);
+                   result.name, is_repeated ? "the same message as above" : result.found);
         if (result.outcome < check::Outcome::wrong || result.outcome == check::Outcome::unfinished || is_repeated)
             return;
-        for (const std::string& line : split(result.details, '\n'))
-            if (!line.empty()) fmt::print("              {}\n", line);
-        if (result.outcome == check::Outcome::wrong && !result.check->reason.empty())
-            fmt::print("              why this limit: {}\n", result.check->reason);
+        for (const std::string& line : lines_for_terminal(result.details)) fmt::print("              {}\n", line);
+        if (const std::string& reason = manifest_.check(result.name).reason;
+            result.outcome == check::Outcome::wrong && !reason.empty())
+            fmt::print("              why this limit: {}\n", reason);
         if (const std::string hint = pages::look_at(result); !hint.empty() && hints_.insert(hint).second)
             fmt::print("              look at: {}\n", without_backticks(hint));
-        if (result.outcome != check::Outcome::wrong) return;
-        const std::string name = quoted_for_shell(result.check->name);
+        if (result.outcome != check::Outcome::wrong || manifest_.check(result.name).shot.calls) return;  // no view
+        const std::string name = quoted_for_shell(result.name);
         fmt::print("              in the window: ./relief run {} --check {}\n", lab_.two_digits(), name);
         const std::optional<glm::ivec2> worst = worst_pixel(result);
         if (worst && is_shader(task.file))
@@ -72,12 +77,12 @@ private:
     }
 
     /// Returns the pixel with the largest error, from the upper left corner; nothing if no pixel can be compared.
-    std::optional<glm::ivec2> worst_pixel(const check::CheckResult& result) const {
+    std::optional<glm::ivec2> worst_pixel(const check::Verdict& result) const {
         const Image &drawn = result.drawn, &expected = result.expected;
         if (drawn.values.empty() || drawn.width != expected.width || drawn.height != expected.height ||
             drawn.channels != expected.channels)
             return {};
-        const std::string& probe = result.check->shot.probe.name;
+        const std::string& probe = manifest_.check(result.name).shot.probe.name;
         const Image errors =
             error_image(drawn, expected, probe.empty() ? ErrorMetric::distance : manifest_.probe(probe).error);
         size_t worst = 0;
@@ -93,48 +98,49 @@ private:
     std::set<std::string> hints_, messages_;
 };
 
-nlohmann::ordered_json as_json(const check::TaskResult& task) {
-    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-    for (const check::CheckResult& result : task.checks)
-        checks.push_back({{"name", result.check->name},
-                          {"outcome", check::name_of(result.outcome)},
-                          {"found", result.found},
-                          {"details", result.details},
-                          {"waits_for", result.waits_for},
-                          {"look_at", pages::look_at(result)}});
-    return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
-            {"points", task.points()}, {"of", task.task->points},   {"waiting", task.waiting_points()},
-            {"mistake", task.mistake}, {"checks", checks}};
+struct CheckOptions {
+    std::string lab;
+    bool json = false, open = false, patient = false;
+    fs::path page = {};
+};
+
+/// Continues as the lab's program that finds faults in C++ tasks (framework/cmake/add_lab.cmake), if there is one.
+void become_checker(const LabEntry& lab, const CheckOptions& options) {
+    const fs::path here = os::executable(), checker = here.parent_path() / ("check-" + lab.two_digits());
+    if (here.filename() == checker.filename() || !fs::exists(checker)) return;
+    std::vector<std::string> command = {checker.string(), "check", lab.folder};
+    if (options.json) command.push_back("--json");
+    if (options.open) command.push_back("--open");
+    if (options.patient) command.push_back("--patient");
+    if (is_verbose()) command.push_back("--verbose");
+    if (!options.page.empty()) command.insert(command.end(), {"-o", options.page.string()});
+    become_program(command);
 }
 
-/// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or `page` it also writes a
-/// page with the pictures. The default place of the page is below the course's build folder.
-int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
+/// Runs a lab's checks on the course's files. Returns 1 if one did not pass, unless it is unproven. With `open` or
+/// `page` it also writes a page with the pictures. The default place of the page is below the course's build folder.
+int check_own_work(const CheckOptions& options) {
+    const auto& [lab_text, json, open, patient, wanted_page] = options;
+    fs::path page = wanted_page;
     if (!page.empty() && page.extension() != ".html")
         throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));
     const LabEntry& lab = find_lab(lab_text);
     const Manifest manifest = check::manifest_to_check(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
-    pin_software_renderer();
-    const auto context = open_context(std::nullopt);
-    check::Patience patience([&](const std::string& why) {
-        print_error(fmt::format("lab {}, {}: does a loop in the task not end?", lab.two_digits(), why));
-        std::_Exit(1);
-    });
-    const std::vector<check::TaskResult> tasks = check::check_lab(lab, manifest, {}, [&](const CheckInfo& check) {
-        patience.next(fmt::format("task {}: {}", check.task, check.name));
-    });
+    become_checker(lab, options);
+    const auto [tasks, driver] =
+        check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits());
 
     double points = 0, waiting = 0;
     bool all = true;
     Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
-    for (const check::TaskResult& task : tasks) {
+    for (const check::TaskVerdict& task : tasks) {
         points += task.points();
         waiting += task.waiting_points();
-        for (const check::CheckResult& result : task.checks) all &= result.outcome == check::Outcome::passed;
+        for (const check::Verdict& result : task.checks) all &= result.outcome <= check::Outcome::unproven;
         if (json) {
-            report["tasks"].push_back(as_json(task));
+            report["tasks"].push_back(check::as_json(task));
             continue;
         }
         printer.print(task);
@@ -148,7 +154,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     if (open || !page.empty()) {
         if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");
         make_folder(fs::absolute(page).parent_path());
-        write_file(page, pages::check_page(lab, manifest, tasks));
+        write_file(page, pages::check_page(lab, manifest, tasks, driver));
         const std::string place = fs::absolute(page).lexically_normal().string();
         const bool opened = open && open_on_desktop(page);
         print_note((open && !opened ? "there is no program to open it with, so open it yourself: " : "the page: ") +
@@ -163,13 +169,14 @@ public:
         options.lab(lab_, true);
         options.flag("--json", json_, "print the result as JSON, for scripts");
         options.flag("--open", open_, "show a page with the pictures in the browser");
+        options.flag("--patient", patient_, "allow ten minutes, for a slow machine, in place of 20 seconds");
         options.value("-o", "FILE.html", page_, "write the page to this file; it opens only with --open");
     }
-    int run() override { return check_own_work(lab_, json_, open_, page_); }
+    int run() override { return check_own_work({lab_, json_, open_, patient_, page_}); }
 
 private:
     std::string lab_, page_;
-    bool json_ = false, open_ = false;
+    bool json_ = false, open_ = false, patient_ = false;
 };
 RELIEF_COMMAND(CheckCommand, 6, "check", "checks your work on a lab: what is wrong, and what to look at next");
 

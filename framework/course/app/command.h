@@ -16,8 +16,8 @@ namespace relief::app {
 class CommandOptions {
 public:
     virtual ~CommandOptions() = default;
-    /// Declares the lab: a number, a name or any part of one. An executable with one lab uses that lab and needs no
-    /// argument.
+    /// Declares the lab: a number, a name or the beginning of a word in one. An executable with one lab uses that lab
+    /// and needs no argument.
     virtual void lab(std::string& value, bool required) = 0;
     /// Declares words without a dash before them.
     virtual void words(const char* name, std::vector<std::string>& values, const char* help) = 0;

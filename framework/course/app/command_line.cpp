@@ -60,7 +60,11 @@ std::string unexpected(const CLI::App& app) {
     }
     if (command != &app) return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
     for (const CommandEntry& one : commands()) known.emplace_back(one.name);
-    constexpr std::array staffs = {"bench", "handout", "grade", "slides", "mistakes", "synctest"};
+    // The script `relief` has commands of its own, and asks for the nearest one.
+    if (const char* const own = std::getenv("RELIEF_SCRIPT_COMMANDS"))
+        for (const std::string& name : split(own, ' ')) known.push_back(name);
+    constexpr std::array staffs = {"bench",    "handout",  "grade", "web",      "slides",
+                                   "mistakes", "synctest", "map",   "questions"};
     if (std::find(staffs.begin(), staffs.end(), word) != staffs.end())
         return fmt::format("'{}' is a command for staff only (framework/staff), which is not {}", word,
                            staff_is_here() ? "built: ./relief build" : "in this course");
@@ -75,7 +79,7 @@ public:
 
     void lab(std::string& value, bool required) override {
         value = only_lab_;
-        CLI::Option* option = add("LAB", value, "a number, a name or any part of one");
+        CLI::Option* option = add("LAB", value, "a number, a name or the beginning of a word in one");
         option->trigger_on_parse();  // because from CLI11 2.4 on, --help prints the lab's knobs before other options
                                      // are set
         if (required && only_lab_.empty()) option->required();
@@ -138,7 +142,7 @@ private:
 };
 RELIEF_COMMAND(RunCommand, 3, "run", "opens a lab in a window");
 
-/// Returns whether a command line needs the staff's library: for help, for its commands, and for what it adds to
+/// Returns whether a command line needs the staff's library: for help, for its commands, and for its additions to
 /// others. All other command lines start faster without it.
 bool needs_staff(std::span<char* const> arguments) {
     std::string_view command;
@@ -158,7 +162,7 @@ public:
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
         app_.require_subcommand(0, 1);
         app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-        app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit),
+        app_.set_version_flag("-v,--version", fmt::format("relief {} ({})", versions::relief, versions::commit),
                               "print the version");
         app_.add_flag("--verbose", verbose_, "print each event to standard error");
         app_.set_help_flag("-h,--help", "print this help");
@@ -184,6 +188,7 @@ public:
             throw UsageError(std::string(error.what()) + "; --help shows the options");
         }
         set_verbose(verbose_);
+        show_all_messages(verbose_);
         print_event("started: libraries are linked, the command line is read");
         return chosen_ ? chosen_->run() : open_menu_or_gallery(only_lab_);
     }
@@ -191,7 +196,8 @@ public:
 private:
     CLI::App app_{
         "Relief: surface detail in OpenGL, lab by lab.\n"
-        "Without a command: opens the menu window, or makes the gallery if there is no display."};
+        "Without a command: opens the menu window, or makes the gallery if there is no display.\n"
+        "With a lab's number alone, such as 03: runs that lab."};
     std::string only_lab_;
     bool verbose_ = false;
     std::vector<std::unique_ptr<Command>> made_;
@@ -202,8 +208,20 @@ private:
 
 namespace {
 
+/// Rewrites the short forms of a command line: "help" and "help shot" ask for help, and "03" runs that lab.
+void spell_out(std::vector<std::string>& words) {
+    if (words.size() < 2) return;
+    if (words[1] == "help") {
+        words.erase(words.begin() + 1);
+        words.push_back("--help");
+    } else if (!words[1].empty() && words[1].find_first_not_of("0123456789") == std::string::npos) {
+        words.insert(words.begin() + 1, "run");
+    }
+}
+
 /// Runs a command and returns its exit code.
 int run_words(std::vector<std::string> words) {
+    spell_out(words);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     const int argc = int(pointers.size());
@@ -222,7 +240,7 @@ int run_words(std::vector<std::string> words) {
         return 2;
     } catch (const Error& error) {
         print_error(error.what());
-        fmt::print(stderr, "{}", error.more_details());
+        for (const std::string& line : lines_for_terminal(error.details())) fmt::print(stderr, "{}\n", line);
     } catch (const std::bad_alloc&) {
         print_error("there is not enough memory");
     } catch (const std::exception& error) {

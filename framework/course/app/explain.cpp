@@ -70,6 +70,7 @@ void print_json(const check::PixelReport& report) {
                              {"stage", check::name_of(one.function.stage)},
                              {"pass", one.pass},
                              {"pixel", {one.pixel.x, one.pixel.y}},
+                             {"read", one.is_read},
                              {"unfinished", one.is_unfinished},
                              {"call_count", one.calls},
                              {"calls", calls}});

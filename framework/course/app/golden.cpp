@@ -39,9 +39,9 @@ Image stored(Image picture) {
     return picture;
 }
 
-/// Returns the upstream Mesa version of a pinned llvmpipe; nothing for any other driver.
+/// Returns the upstream Mesa version of a pinned llvmpipe, also through Vulkan; nothing for any other driver.
 std::optional<std::string> pinned_mesa(const std::string& driver) {
-    static const std::regex form("llvmpipe .*Mesa ([0-9.]+).*, pinned to sse4\\.1");
+    static const std::regex form("(?:zink \\()?llvmpipe .*Mesa ([0-9.]+).*, pinned to sse4\\.1");
     std::smatch found;
     if (!std::regex_match(driver, found, form)) return {};
     return found[1].str();
@@ -52,12 +52,16 @@ struct Shares {
     double over_1 = 0, over_4 = 0;
 };
 
-/// Returns the allowed shares: zero, unless reference and picture are from two versions of Mesa. Then they come from
-/// labs/another_mesa.txt.
+/// Returns whether the driver translates to Vulkan, whose driver is Mesa's software renderer.
+bool is_through_vulkan(const std::string& driver) { return driver.starts_with("zink (llvmpipe"); }
+
+/// Returns the allowed shares: zero, unless reference and picture are from two versions of Mesa, or the picture was
+/// drawn through Vulkan. Then they come from labs/another_mesa.txt.
 Shares shares_allowed(const std::string& picture, const std::string& reference_driver, const std::string& driver) {
     const auto theirs = pinned_mesa(reference_driver), ours = pinned_mesa(driver);
-    if (!theirs || !ours || *theirs == *ours) return {};
-    const double newer = std::max(std::atof(theirs->c_str()), std::atof(ours->c_str()));
+    const bool is_vulkan = is_through_vulkan(driver);
+    if (!theirs || !ours || (*theirs == *ours && !is_vulkan)) return {};
+    const double newer = *theirs == *ours ? -1 : std::max(std::atof(theirs->c_str()), std::atof(ours->c_str()));
     const fs::path file = course_root() / "labs/another_mesa.txt";
     std::istringstream lines(fs::exists(file) ? read_file(file) : "");
     Shares others, own;
@@ -66,7 +70,8 @@ Shares shares_allowed(const std::string& picture, const std::string& reference_d
         std::istringstream words(line);
         std::string name;
         Shares percent;
-        if (!(words >> name >> percent.over_1)) continue;
+        if (words >> name; name == "Vulkan") holds = is_vulkan;
+        if (!(words >> percent.over_1)) continue;
         if (name == "Mesa") holds = percent.over_1 <= newer;
         if (!holds || !(words >> percent.over_4)) continue;
         if (name == "others") others = percent;
@@ -116,7 +121,8 @@ private:
         if (picture.same_shape(reference) && within(off.pixels_over, shares.over_1) && within(over_4, shares.over_4))
             return fmt::format(
                 "same within 1/255 but for {} of {} pixels: the reference was made by Mesa {}, this is {}",
-                off.pixels_over, picture.pixel_count(), *pinned_mesa(driver_of(notes)), *pinned_mesa(driver_));
+                off.pixels_over, picture.pixel_count(), *pinned_mesa(driver_of(notes)),
+                *pinned_mesa(driver_) + (is_through_vulkan(driver_) ? " through Vulkan" : ""));
         if (!output_.empty()) write_difference(file, picture, reference);
         if (!judge_ && picture.same_shape(reference)) {
             const size_t over_16 = difference(picture, reference, 16.0 / 255 + 1e-6).pixels_over;

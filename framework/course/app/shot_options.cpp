@@ -10,23 +10,30 @@ namespace {
 
 void parse_camera(const std::string& text, Orbit& camera) {
     const struct {
+        const char* name;
         double& value;
         double min, max;
-    } parts[] = {{camera.yaw, -36000, 36000},   {camera.pitch, -89, 89},      {camera.distance, 1e-3, 1e6},
-                 {camera.target.x, -1e6, 1e6},  {camera.target.y, -1e6, 1e6}, {camera.target.z, -1e6, 1e6},
-                 {camera.field_of_view, 1, 170}};
+    } parts[] = {{"yaw, in degrees", camera.yaw, -36000, 36000},
+                 {"pitch, in degrees", camera.pitch, -89, 89},
+                 {"distance, in metres", camera.distance, 1e-3, 1e6},
+                 {"x of the point it looks at, in metres", camera.target.x, -1e6, 1e6},
+                 {"y of the point it looks at, in metres", camera.target.y, -1e6, 1e6},
+                 {"z of the point it looks at, in metres", camera.target.z, -1e6, 1e6},
+                 {"field of view, in degrees", camera.field_of_view, 1, 170}};
     const auto words = split(text, ',');
-    bool good = words.size() == 3 || words.size() == 6 || words.size() == 7;
-    for (size_t i = 0; good && i < words.size(); ++i) {
-        const auto number = parse_number(words[i]);
-        good = number && *number >= parts[i].min && *number <= parts[i].max;
-        if (good) parts[i].value = *number;
-    }
-    if (!good)
+    if (words.size() != 3 && words.size() != 6 && words.size() != 7)
         throw UsageError(
-            fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance above 0), "
-                        "optionally ,x,y,z of the point it looks at and ,field of view in degrees (1 to 170), not '{}'",
+            fmt::format("--camera takes yaw,pitch,distance in degrees and metres, optionally ,x,y,z of the point it "
+                        "looks at and ,field of view in degrees, not '{}'",
                         text));
+    for (size_t i = 0; i < words.size(); ++i) {
+        const auto& part = parts[i];
+        const auto number = parse_number(words[i]);
+        if (!number || *number < part.min || *number > part.max)
+            throw UsageError(fmt::format("--camera {}: the {}, is a number from {} to {}, not '{}'", text, part.name,
+                                         rounded(part.min), rounded(part.max), words[i]));
+        part.value = *number;
+    }
 }
 
 std::pair<std::string, std::string> parse_setting(const std::string& text) {

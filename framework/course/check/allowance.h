@@ -1,4 +1,4 @@
-// What a check allows for the renderer where it cannot choose one: in a browser, and in a window on a GPU. Renderers
+// A check's allowance for the renderer where it cannot choose one: in a browser, and in a window on a GPU. Renderers
 // draw a surface at slightly different places, and differ in their filters and derivatives.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace relief::check {
 enum class Rasteriser { exact, usual, coarse };
 Rasteriser rasteriser_of(const std::string& renderer);
 
-/// What draws the checks' pictures.
+/// The renderer of the checks' pictures.
 struct NamedRenderer {
     std::string name = {};
     /// Moves all vertices of later drawings, also of those into textures, by a part of a pixel. May be empty.

@@ -8,14 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/base/from_staff.h"
 #include "framework/core/lab/shot.h"
 
 namespace relief::check {
 
-/// Returns the value of a call of a C++ task. Empty if the program has no such call. Only programs that the grader
-/// makes have calls.
-inline FromStaff<std::optional<glm::dvec4>(const std::string& call)> value_of_call;
+/// Returns the value of a call of a C++ task. Empty if the program has no such call: a lab has its public calls (see
+/// framework/cmake/calls.cmake), and the programs that the grader makes have the hidden ones, too.
+std::optional<glm::dvec4> value_of_call(const std::string& call);
+
+/// Adds calls to the program's list. Define it as a static object.
+struct ProvidedCalls {
+    using Value = std::optional<glm::dvec4>(const std::string& call);
+    explicit ProvidedCalls(Value* value);
+};
 
 /// Returns a value of a C++ task's function as one pixel. Missing components are 0.
 template <glm::length_t count, class Number>
@@ -26,7 +31,7 @@ glm::dvec4 as_pixel(const glm::vec<count, Number>& value) {
 }
 inline glm::dvec4 as_pixel(double value) { return {value, 0, 0, 0}; }
 
-/// Returns what draws a shot: the lab, or the values of the shot's calls, from left to right in one row.
+/// Returns the object that draws a shot: the lab, or the values of the shot's calls, from left to right in one row.
 std::unique_ptr<Lab> make_drawer(const LabEntry& lab, const Shot& shot);
 
 }  // namespace relief::check

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/folded_text.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/process.h"
 #include "framework/core/base/system.h"
@@ -28,7 +29,7 @@ constexpr size_t longest_error = 4000;
 constexpr size_t longest_request = (size_t{4} << 20) + longest_compiled;
 constexpr size_t longest_notes = size_t{1} << 20;
 
-enum class Kind : uint32_t { ask, ready, image, error, done, notes, compiled };
+enum class Kind : uint32_t { ask, ready, image, error, done, notes, compiled, no_memory };
 
 /// Precedes each message. Both ends are on one machine, so byte order and padding agree.
 struct Header {
@@ -136,7 +137,7 @@ class Stream {
 public:
     Stream() { os::redirect(standard_output, standard_error); }
 
-    void send(Kind kind, size_t shot, const std::string& bytes) {
+    void send(Kind kind, size_t shot, std::string_view bytes) {
         const double now = os::processor_seconds(), spent = now - std::exchange(cpu_, now);
         // The first message must have the same bytes in every process; see drawing_asks().
         const bool is_drawn = kind == Kind::image || kind == Kind::error;
@@ -151,6 +152,12 @@ private:
     const Descriptor descriptor_ = os::copy_of(standard_output);
     double cpu_ = 0;  ///< at the last message
 };
+
+/// Says that memory ran out, and ends the process. Allocates nothing.
+[[noreturn]] void end_without_memory(Stream& stream) {
+    stream.send(Kind::no_memory, 0, {});
+    std::_Exit(1);
+}
 
 /// Returns os::processor_seconds() as bytes.
 std::string processor_time() {
@@ -174,14 +181,17 @@ std::string read_request() {
 /// Returns the error that `call` throws, or nothing: one line, then the compiler's further lines. Ends the process if
 /// memory runs out.
 template <class Call>
-std::string error_of(Call call) {
+std::string error_of(Stream& stream, Call call) {
     try {
         call();
         return {};
     } catch (const Error& error) {
-        return std::string(error.what()) + (error.details().empty() ? "" : "\n" + error.details());
+        const FoldedText parts = unfolded_text(error.details());
+        std::string text = std::string(error.what()) + (parts.shown.empty() ? "" : "\n" + parts.shown);
+        for (const std::string& message : parts.folded) text += (text.ends_with('\n') ? "" : "\n") + message;
+        return text;
     } catch (const std::bad_alloc&) {
-        std::_Exit(out_of_memory_code);
+        end_without_memory(stream);
     } catch (const std::exception& error) {
         return std::string("it throws: ") + error.what();
     } catch (...) {
@@ -214,6 +224,8 @@ bool is_expected(const Header& header, const DrawnShots& drawn, const std::vecto
             return is_ready && header.size == sizeof(double);
         case Kind::compiled:
             return is_ready && next == shots.size() && drawn.compiled.empty() && header.size <= longest_compiled;
+        case Kind::no_memory:
+            return header.size == 0;
         case Kind::notes:
             return false;
     }
@@ -255,8 +267,8 @@ std::string drawing_asks() {
 }
 
 void draw_request(const char* course) {
-    Stream stream;
-    std::set_new_handler([] { std::_Exit(out_of_memory_code); });
+    static Stream stream;
+    std::set_new_handler([] { end_without_memory(stream); });
     const CourseElsewhere elsewhere(course);
     stream.send(Kind::ask, 0, {});
     const std::string text = read_request();
@@ -278,7 +290,7 @@ void draw_request(const char* course) {
     KeptLabs labs(lab);
     for (size_t i = 0; i < shots.size(); ++i) {
         std::string answer;
-        const std::string error = error_of([&] {
+        const std::string error = error_of(stream, [&] {
             answer = notes.is_null() ? bytes_of(draw_shot(labs.drawer_of(shots[i]), shots[i]), bool(shots[i].probe))
                                      : notes_in(lab, shots[i], notes.at("files"), notes.at("pixels").at(i));
         });
@@ -328,6 +340,9 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
             case Kind::compiled:
                 drawn.compiled = unpacked(std::string_view(stream).substr(at, header.size));
                 break;
+            case Kind::no_memory:
+                drawn.has_no_memory = true;
+                return drawn;
             case Kind::notes:
                 break;
         }

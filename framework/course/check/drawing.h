@@ -25,9 +25,6 @@ struct Renderer {
     bool pinned = true;                       ///< identical bits on every machine, see pin_software_renderer()
 };
 
-/// The exit code of a program that ran out of memory.
-constexpr int out_of_memory_code = 97;
-
 /// Compiled shaders that a process gets, and whether it returns them with its own ones. Only for a process with a cache
 /// of its own, see draw_request().
 struct ShaderReuse {
@@ -74,8 +71,9 @@ struct DrawnShots {
     std::vector<Drawn> shots;  ///< the complete ones, from the first on
     CompiledShaders compiled;  ///< if they were wanted; not trusted
     DrawingPhase phase = DrawingPhase::started;
-    double cpu = 0;       ///< seconds of processor time, as a process in phase `done` reports them; not trusted
-    std::string problem;  ///< why the rest of the stream cannot be read, or empty
+    double cpu = 0;              ///< seconds of processor time, as a process in phase `done` reports them; not trusted
+    bool has_no_memory = false;  ///< the process says that its memory ran out, and ended
+    std::string problem;         ///< why the rest of the stream cannot be read, or empty
 };
 /// Reads the stream of a process that was asked to draw `shots`. Never throws for bad input; see `problem`.
 DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots);

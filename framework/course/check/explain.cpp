@@ -139,6 +139,7 @@ public:
         passes_.clear();
         depths_.clear();
         found_.clear();
+        textures_.clear();
         notes_ = notes;
         const ShaderRewriting rewriting([this](std::vector<ShaderSource>& stages, GLuint program) {
             programs_[program] = watch_functions(stages, task_files_, twins_, functions_);
@@ -154,6 +155,52 @@ public:
         const Image image = shot_.probe ? target.read() : read_picture(target);
         const float* const value = image.pixel(pixel.x, pixel.y);
         return {value, value + image.channels};
+    }
+
+    /// Finds, for each kind of pass that draws a texture, the texel that changes the pixel most: changes ever smaller
+    /// parts of the textures, and looks whether the pixel changes. `value` is the pixel's. Returns whether the last
+    /// draw() had such passes.
+    bool find_texels(glm::ivec2 pixel, const std::vector<float>& value) {
+        const std::vector<TexturePass> passes = textures_;
+        const auto change = [&](const Shaken& shaken) {
+            shaken_ = shaken;
+            const std::vector<float> now = draw(pixel, 0, false);
+            shaken_ = {};
+            double sum = 0;
+            for (size_t i = 0; i < now.size(); ++i) {
+                if (std::isnan(now[i]) && std::isnan(value[i])) continue;
+                const double off = std::abs(double(now[i]) - double(value[i]));
+                sum += std::isfinite(off) ? off : 1e9;
+            }
+            return sum;
+        };
+        std::vector<bool> is_done(passes.size());
+        for (size_t i = 0; i < passes.size(); ++i) {
+            if (is_done[i]) continue;
+            Shaken shaken{.region = {0, 0, passes[i].size}};
+            for (size_t k = i; k < passes.size(); ++k)
+                if (passes[k] == passes[i]) shaken.passes.push_back(int(k)), is_done[k] = true;
+            const std::vector<int> all = shaken.passes;
+            // Alpha often says whether a task is written, and changes the whole picture: only if nothing else does.
+            double most = change(shaken);
+            if (most == 0) shaken.channels = 4, most = change(shaken);
+            if (most == 0) continue;
+            // If one half changes nothing, the other one does, unless its change is too small for the picture's 8 bits.
+            // Only the last part is tried: each try draws the frame.
+            Shaken seen = shaken;
+            while (const auto halves = shaken.halves()) {
+                const double first = change((*halves)[0]),
+                             second = first > 0 && first < most / 2 ? change((*halves)[1]) : 0;
+                const bool is_first = first > 0 && first >= second;
+                shaken = (*halves)[is_first ? 0 : 1];
+                if (is_first || second > 0) seen = shaken, most = std::max(first, second);
+            }
+            if (change(shaken) == 0) shaken = seen;
+            for (const int one : all) texels_[one] = {};
+            texels_[shaken.passes[shaken.passes.size() / 2]] =
+                (glm::ivec2(shaken.region) + glm::ivec2(shaken.region.z, shaken.region.w)) / 2;
+        }
+        return !passes.empty();
     }
 
     /// Calls `take` with the notes of each pixel. The lab is made once, so that its programs are compiled once. Omits
@@ -215,13 +262,79 @@ public:
     }
 
 private:
+    /// A pass that draws a texture, with the functions that it calls.
+    struct TexturePass {
+        glm::ivec2 size;
+        std::vector<int> functions;
+        bool operator==(const TexturePass&) const = default;
+    };
+
+    /// A part of textures that is changed.
+    struct Shaken {
+        std::vector<int> passes = {};  ///< by their order among the passes that draw textures
+        glm::ivec4 region{0};          ///< lower corner, and upper corner, which is outside
+        int channels = 3;
+
+        /// Returns the two halves: of the passes, or of the longer side of the only one. None for a single texel.
+        std::optional<std::array<Shaken, 2>> halves() const {
+            std::array<Shaken, 2> parts = {*this, *this};
+            const auto middle = passes.begin() + std::ptrdiff_t(passes.size() / 2);
+            const glm::ivec2 size(region.z - region.x, region.w - region.y);
+            const int along = size.x >= size.y ? 0 : 1;
+            if (passes.size() > 1)
+                parts[0].passes.assign(passes.begin(), middle), parts[1].passes.assign(middle, passes.end());
+            else if (size[along] > 1)
+                parts[0].region[along + 2] = parts[1].region[along] = region[along] + size[along] / 2;
+            else
+                return {};
+            return parts;
+        }
+    };
+
     void on_draw(const std::function<void()>& draw) {
         const GLuint program = GLuint(integer(GL_CURRENT_PROGRAM));
         const bool to_buffers = is_on(GL_RASTERIZER_DISCARD) || integer(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE) == GL_TRUE;
+        if (const auto size = size_of_texture(program); size && !to_buffers) {
+            const int place = int(textures_.size());
+            textures_.push_back({*size, programs_[program]});
+            const bool is_shaken = std::count(shaken_.passes.begin(), shaken_.passes.end(), place) > 0;
+            set(program, watched::shaken, is_shaken ? shaken_.channels : 0);
+            const glm::vec4 region(shaken_.region);
+            glUniform4f(glGetUniformLocation(program, watched::region), region.x, region.y, region.z, region.w);
+        }
         if (notes_ && program != 0 && !to_buffers && programs_.contains(program)) take_notes_of(program, draw);
         set(program, watched::flow, flow_);
         set(program, watched::rounds, flow_ != 0 ? 1 : 0);
+        const bool is_picture = GLuint(integer(GL_DRAW_FRAMEBUFFER_BINDING)) == target_;
+        shaken_.passes.empty() || !is_picture ? draw() : draw_pixel(draw);
+    }
+
+    /// Draws at most the pixel of the picture.
+    void draw_pixel(const std::function<void()>& draw) const {
+        const bool is_scissored = is_on(GL_SCISSOR_TEST);
+        std::array<GLint, 4> own{};
+        glGetIntegerv(GL_SCISSOR_BOX, own.data());
+        const glm::ivec2 from = pixel_ - glm::ivec2(own[0], own[1]);
+        if (is_scissored && (from.x < 0 || from.y < 0 || from.x >= own[2] || from.y >= own[3])) return;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(pixel_.x, pixel_.y, 1, 1);
         draw();
+        glScissor(own[0], own[1], own[2], own[3]);
+        if (!is_scissored) glDisable(GL_SCISSOR_TEST);
+    }
+
+    /// Returns the size of the texture that a watched program draws now; nothing if it draws the picture, or an input
+    /// of the same size.
+    std::optional<glm::ivec2> size_of_texture(GLuint program) const {
+        const auto watched = programs_.find(program);
+        if (watched == programs_.end() || watched->second.empty()) return {};
+        std::array<GLint, 4> view{};
+        glGetIntegerv(GL_VIEWPORT, view.data());
+        const glm::ivec2 corner{view[0], view[1]}, end = corner + glm::ivec2(view[2], view[3]);
+        const bool is_alike = corner == glm::ivec2(0) && end == shot_.size;
+        const bool is_picture = GLuint(integer(GL_DRAW_FRAMEBUFFER_BINDING)) == target_;
+        if (end.x <= 0 || end.y <= 0 || is_picture || is_alike) return {};
+        return end;
     }
 
     static void set(GLuint program, const char* uniform, int value) {
@@ -269,13 +382,26 @@ private:
         if (!covers) return;
         // An opaque draw hides the earlier ones.
         if (is_opaque) std::erase_if(found_, [&](const auto& one) { return one.first.first == framebuffer; });
-        for (const int function : programs_[program]) note(program, framebuffer, function, pixel_, size, again);
+        for (const int function : programs_[program]) note(program, framebuffer, function, pixel_, size, true, again);
         depth = after;
     }
 
-    /// Notes a pass that draws another input of the picture: takes the texel that is furthest from its twin.
+    /// Notes a pass that draws another input of the picture: takes the texel that find_texels() found. If the pixel
+    /// reads no such pass, takes the texel that is furthest from its twin.
     void note_texel(GLuint program, GLuint framebuffer, const Noting& noting, const std::function<void()>& draw,
                     glm::ivec2 size) {
+        const auto note_at = [&](int function, glm::ivec2 texel, bool is_read) {
+            note(program, framebuffer, function, texel, size, is_read, [&](const std::function<void()>& use) {
+                if (!noting.aim(texel, {1, 1}, 1)) return;
+                draw();
+                use();
+            });
+        };
+        if (const auto read = texels_.find(int(textures_.size()) - 1); read != texels_.end()) {
+            if (read->second)
+                for (const int function : programs_[program]) note_at(function, *read->second, true);
+            return;
+        }
         for (const int function : programs_[program]) {
             choose(program, function, -1, 0);
             if (!noting.aim({0, 0}, size, 1)) continue;
@@ -290,20 +416,16 @@ private:
             const auto known = found_.find({framebuffer, function});
             if (known != found_.end() && known->second.worst().excess >= double(heads[*worst + 2])) continue;
             const int at = int(*worst / 4);
-            const glm::ivec2 texel{at % size.x, at / size.x};
-            note(program, framebuffer, function, texel, size, [&](const std::function<void()>& use) {
-                noting.aim(texel, {1, 1}, 1);
-                draw();
-                use();
-            });
+            note_at(function, {at % size.x, at / size.x}, false);
         }
     }
 
     /// Notes a function's calls at one texel of the note target. `again` draws that texel, and then calls its argument.
-    void note(GLuint program, GLuint framebuffer, int function, glm::ivec2 at, glm::ivec2 size,
+    void note(GLuint program, GLuint framebuffer, int function, glm::ivec2 at, glm::ivec2 size, bool is_read,
               const std::function<void(const std::function<void()>&)>& again) {
         const WatchedFunction& watched = functions_[size_t(function)];
-        ExplainedFunction noted{.function = watched, .pixel = {at.x, size.y - 1 - at.y}, .size = size};
+        ExplainedFunction noted{
+            .function = watched, .pixel = {at.x, size.y - 1 - at.y}, .size = size, .is_read = is_read};
         const auto add = [&](int call) {
             std::vector<float> numbers;
             for (size_t slice = 0; slice * note_slice < watched.note_size(); ++slice) {
@@ -384,6 +506,11 @@ private:
     std::map<GLuint, float> depths_;  ///< depth at the pixel, by framebuffer
     std::vector<GLuint> passes_;
     std::map<std::pair<GLuint, int>, ExplainedFunction> found_;  ///< by framebuffer and function
+    std::vector<TexturePass> textures_;                          ///< of the last draw()
+    Shaken shaken_;
+    /// By the order of the passes that draw textures: the texel that the pixel reads. A pass has none if the pixel
+    /// reads another one of its kind, and is missing if it reads none of them.
+    std::map<int, std::optional<glm::ivec2>> texels_;
     GLuint target_ = 0;
     glm::ivec2 pixel_{0};  ///< counted from the bottom row
     int flow_ = 0;
@@ -515,6 +642,7 @@ Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& s
     Watched watched(lab, shader_task_files(manifest), shot, twins);
     Explanation result;
     result.value = watched.draw(pixel, 0, true);
+    if (watched.find_texels(pixel, result.value)) watched.draw(pixel, 0, true);
     result.functions = watched.take_notes();
     // Finds the first function that differs and matters: replacing it with its twin changes the pixel.
     const auto find_first = [&](const std::vector<ExplainedFunction>& functions) -> std::optional<size_t> {

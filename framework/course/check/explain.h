@@ -40,6 +40,9 @@ struct ExplainedFunction {
     int pass = 0;
     glm::ivec2 pixel{0};  ///< in that pass's target; row 0 is at the top
     glm::ivec2 size{0};   ///< size of that target
+    /// Whether that is a texel that the pixel reads. Of a pass that it does not read, it is the texel that is furthest
+    /// from its twin.
+    bool is_read = true;
     int calls = 0;
     bool is_unfinished = false;
     std::vector<ExplainedCall> shown = {};  ///< the first, the last, and the one that differs most, if one differs
@@ -75,8 +78,8 @@ struct LoneCall {
     int number = 0, count = 1;           ///< the call at this pixel, counted from 0, and the number of its calls there
     std::vector<std::string> arguments;  ///< "height 0.73"
     std::vector<float> inputs;           ///< the rounded numbers of the arguments
-    std::vector<float> results;          ///< what the function returned there
-    std::vector<float> again;            ///< what it returns for the rounded arguments
+    std::vector<float> results;          ///< the function's result there
+    std::vector<float> again;            ///< its result for the rounded arguments
 };
 
 /// Returns for each pixel such calls in the fragment stage of the picture, or of a pass of the same size. Draws in the

@@ -45,8 +45,8 @@ std::string where_of(const ExplainedFunction& one) {
     std::string text = fmt::format("{}:{}, {} stage", shown(one.function.place.file), one.function.place.line,
                                    name_of(one.function.stage));
     if (one.pass > 0)
-        text +=
-            fmt::format(", in an earlier pass, at {},{} of {} x {}", one.pixel.x, one.pixel.y, one.size.x, one.size.y);
+        text += fmt::format(", in an earlier pass, at {},{} of {} x {}{}", one.pixel.x, one.pixel.y, one.size.x,
+                            one.size.y, one.is_read ? "" : ", which this pixel does not read");
     return text + (one.calls > 1 ? fmt::format(", {} calls", one.calls) : "");
 }
 

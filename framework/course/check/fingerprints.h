@@ -1,6 +1,6 @@
-// Fingerprints of known mistakes: a few pixel values that each mistake draws in the public checks of its task. With
-// them `relief check` names a mistake on a student's machine. They do not reveal the mistake's code. The staff's
-// `relief mistakes LAB --update` writes them to labs/NN_name/fingerprints.toml.
+// Fingerprints of known mistakes: a few pixel values that each mistake draws in the checks of its task. They name a
+// mistake in the grader and, for public checks, on a student's machine: `relief handout` writes them to
+// labs/NN_name/expected/fingerprints.toml. They do not reveal the mistake's code.
 #pragma once
 
 #include <filesystem>
@@ -20,15 +20,20 @@ struct Fingerprints {
         Sample solution;             ///< the solution's values at these indices
     };
     struct Mistake {
-        std::string task, hint;
+        std::string task;
+        std::string id;  ///< empty in a student's course
+        std::string hint;
         Samples draws;  ///< one for every check of its task that has places
     };
-    std::string made_of;              ///< a hash of the manifest's part; tells the staff whether the file is up to date
-    std::map<size_t, Places> checks;  ///< by the check's index in the manifest
-    std::vector<Mistake> mistakes;
+    std::map<size_t, Places> checks = {};  ///< by the check's index in the manifest
+    std::vector<Mistake> mistakes = {};
 };
 
+/// Returns the file that a student's course has. In the staff's course, returns the file in the build folder that
+/// `relief handout` makes.
 std::filesystem::path fingerprints_file(const LabEntry& lab);
+/// Returns the place of a lab's file in a student's course, relative to the course.
+std::filesystem::path handed_fingerprints(const LabEntry& lab);
 
 /// Reads a lab's fingerprints. Empty if there is no such file. Throws Error with file and line if the file does not fit
 /// the manifest.
@@ -36,17 +41,21 @@ Fingerprints load_fingerprints(const LabEntry& lab, const Manifest& manifest);
 Fingerprints parse_fingerprints(const std::string& text, const std::filesystem::path& file, const Manifest& manifest);
 
 /// Returns the text that load_fingerprints() reads. Rounds a mistake's numbers to within a tenth of tolerance_of().
-std::string text_of(const Fingerprints& fingerprints, const LabEntry& lab, const Manifest& manifest);
+std::string text_of(const Fingerprints& fingerprints, const Manifest& manifest);
 
 /// Returns the picture's values at these indices. An empty picture gives the error instead.
 Sample sample_at(const Image& drawn, const std::string& error, const std::vector<size_t>& values);
 
+/// The known mistake that a task's pictures show.
+struct Recognised {
+    const Fingerprints::Mistake* mistake = nullptr;
+    bool is_certain = false;  ///< see Likeness::is_certain()
+};
+
 /// Returns the known mistake that each task's pictures show, by task. Every drawn check of the task must match the
 /// mistake; see is_like(). `drawn`: samples by check, without the checks that wait for other tasks.
-std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
-                                                                  const Manifest& manifest,
-                                                                  const std::vector<Judgement>& said,
-                                                                  const Samples& drawn,
-                                                                  const Exactness& exactness = {});
+std::map<std::string, Recognised> name_mistakes(const Fingerprints& fingerprints, const Manifest& manifest,
+                                                const std::vector<Verdict>& said, const Samples& drawn,
+                                                const Exactness& exactness = {});
 
 }  // namespace relief::check

@@ -87,6 +87,11 @@ const NamedFactor* name_of(double factor) {
     return nullptr;
 }
 bool is_one(double factor) { return std::abs(factor - 1) < 0.005; }
+/// Returns whether somebody may have written this factor. A fit to noise gives any.
+bool is_plausible(double factor) {
+    const double size = std::abs(factor);
+    return name_of(factor) || (size > 1.0 / 64 && size < 64);
+}
 bool is_named(double factor) { return name_of(factor) || std::abs(std::abs(factor) - 1) < 0.002; }
 
 /// Returns a factor in words: "twice", "half", "pi / 180 times", "1.37 times".
@@ -186,14 +191,16 @@ private:
         const auto everywhere = constant(pair_, all, &PixelPair::drawn);
         const auto drawn = constant(pair_, differing(), &PixelPair::drawn),
                    expected = constant(pair_, differing(), &PixelPair::expected);
+        const char* const kind = pair_.is_direction() ? "the direction " : "";  // its length may vary
         if (everywhere && !expected)
-            add_constant(fmt::format("{} everywhere", text_of(pair_, *everywhere)),
+            add_constant(fmt::format("{}{} everywhere", kind, text_of(pair_, *everywhere)),
                          [v = *everywhere](size_t, const Value&) { return v; });
         if (drawn && expected)
-            add_constant(fmt::format("{} where {} is expected", text_of(pair_, *drawn), text_of(pair_, *expected)),
-                         [v = *drawn, was = *expected, &pair = pair_](size_t, const Value& e) {
-                             return pair.error(e, was) <= pair.threshold() ? v : e;
-                         });
+            add_constant(
+                fmt::format("{}{} where {} is expected", kind, text_of(pair_, *drawn), text_of(pair_, *expected)),
+                [v = *drawn, was = *expected, &pair = pair_](size_t, const Value& e) {
+                    return pair.error(e, was) <= pair.threshold() ? v : e;
+                });
     }
 
     /// All orders of the components with all signs, the simplest first.
@@ -262,7 +269,7 @@ private:
         return some;
     }
     void add_factor_from_base(double k) {
-        if (!std::isfinite(k) || std::abs(k - 1) < 0.02) return;
+        if (!is_plausible(k) || std::abs(k - 1) < 0.02) return;
         const std::string words = std::abs(k + 1) < 0.005
                                       ? fmt::format("{} moved to the opposite side of {}", whole_name(), base_name())
                                       : fmt::format("{} as far from {} as the expected value", times(k), base_name());
@@ -370,7 +377,7 @@ private:
         const double k = quotient([](const PixelPair& one) {
             return std::pair(dot(one.drawn, one.expected), dot(one.expected, one.expected));
         });
-        if (std::isfinite(k) && !is_one(k))
+        if (is_plausible(k) && !is_one(k))
             add_fitted(fmt::format("{} {}", times(k), whole_name()),
                        [=](size_t, const Value& e) { return std::optional(scaled(e, k)); });
         Value apart{};

@@ -13,7 +13,7 @@ namespace relief::check {
 /// Fewer samples than this do not show a relation.
 constexpr size_t least_differing = 40;
 
-/// Predicts what is drawn at a pixel from the expected value there, or nothing. The result may have any length.
+/// Predicts the drawn value of a pixel from the expected one, or nothing. The result may have any length.
 using Rule = std::function<std::optional<Value>(size_t pixel, const Value& expected)>;
 
 struct Hypothesis {
@@ -22,7 +22,8 @@ struct Hypothesis {
     bool is_constant = false;
     /// Whether it may hold in a part of the picture only: not if a number in it comes from the pictures.
     bool may_hold_in_part = true;
-    /// The share of the error that it may leave. Functions, and numbers from the pictures, are near many curves.
+    /// The share of the error that it may leave. A function, or a number taken from the pictures, fits
+    /// many pictures by chance, so it must leave less.
     double most_left = 0.1;
 };
 

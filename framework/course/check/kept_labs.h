@@ -21,8 +21,8 @@ public:
     explicit KeptLabs(const LabEntry& entry) : entry_(entry) {}
     const LabEntry& entry() const { return entry_; }
 
-    /// Returns what draws a shot, as make_drawer() does, until the next call. It is a kept lab if the shot sets all
-    /// knobs that were set there before: the others have their defaults.
+    /// Returns the object that draws a shot, as make_drawer() does, until the next call. It is a kept lab if the shot
+    /// sets all knobs that were set there before: the others have their defaults.
     Lab& drawer_of(const Shot& shot);
     /// Forgets all labs. Call it after an error, which may have left a lab in the middle of a drawing.
     void forget() { kept_.clear(); }

@@ -33,8 +33,19 @@ bool is_like(const Likeness& one, bool passed, const Exactness& exactness) {
     return one.differ == 0 ? passed : one.share() >= exactness.agreement;
 }
 
-std::string told(const std::string& hint, size_t failed_checks) {
-    return failed_checks > 1 ? hint : "Perhaps: " + hint;
+void Likeness::add_kind(float value, double tolerance) {
+    if (is_certain()) return;
+    if (std::none_of(kinds.begin(), kinds.end(), [&](float kind) { return is_near(kind, value, tolerance); }))
+        kinds.push_back(value);
+}
+
+void Likeness::add(const Likeness& other) {
+    differ += other.differ, agree += other.agree;
+    for (const float kind : other.kinds) add_kind(kind, 0);
+}
+
+std::string told(const std::string& hint, bool is_certain, size_t failed_checks) {
+    return is_certain && failed_checks > 1 ? hint : "Perhaps: " + hint;
 }
 
 Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
@@ -50,7 +61,9 @@ Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solu
         const float d = drawn.values[i], m = mistake.values[i], s = solution.values[i];
         if (is_near(d, s, tolerance) && is_near(m, s, tolerance)) continue;
         ++likeness.differ;
-        likeness.agree += is_near(d, m, tolerance);
+        if (!is_near(d, m, tolerance)) continue;
+        ++likeness.agree;
+        likeness.add_kind(m, tolerance);
     }
     return likeness;
 }

@@ -22,10 +22,19 @@ using Samples = std::map<size_t, Sample>;
 
 /// The result of a comparison. Results of several checks can be added up.
 struct Likeness {
+    /// Number of different values below which agreement may be chance: many programs draw yes and no in the same
+    /// places.
+    static constexpr size_t certain_kinds = 4;
+
     size_t differ = 0;  ///< number of values in which the drawing or the mistake differs from the solution
     size_t agree = 0;   ///< number of these in which the drawing is like the mistake
+    /// The first of these values that differ from each other, at most certain_kinds.
+    std::vector<float> kinds = {};
 
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
+    bool is_certain() const { return kinds.size() >= certain_kinds; }
+    void add_kind(float value, double tolerance);
+    void add(const Likeness& other);
 };
 
 /// How exactly a drawing that shows a mistake repeats the mistake's own, see tolerance_of().
@@ -47,9 +56,9 @@ inline constexpr Exactness other_renderer{
 /// only if the check passed.
 bool is_like(const Likeness& one, bool passed, const Exactness& exactness = {});
 
-/// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because
-/// other mistakes may fail that check in the same way.
-std::string told(const std::string& hint, size_t failed_checks);
+/// Returns a known mistake's hint for a message. If few values agree, or after a single failed check, the hint is only
+/// a possibility, because other mistakes may draw the same there.
+std::string told(const std::string& hint, bool is_certain, size_t failed_checks);
 
 /// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture,
 /// `exactness.picture`. For a probe, the share `exactness.probe` of the mistake's mean error where it differs from the

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "framework/core/gl/glsl_text.h"
+#include "framework/core/base/code_text.h"
 
 namespace relief::check {
 namespace {
@@ -67,21 +67,21 @@ std::optional<std::string> value_from(const std::string& type, const GlslStructs
 
 std::set<std::string> words_of(const std::string& text) {
     std::set<std::string> words;
-    for (const GlslToken& token : glsl_tokens(text))
-        if (token.kind == GlslToken::word) words.insert(token.text);
+    for (const CodeToken& token : code_tokens(text))
+        if (token.kind == CodeToken::word) words.insert(token.text);
     return words;
 }
 
 /// Returns the names before an opening parenthesis: a variable may have the name of a function.
 std::set<std::string> called_in(const std::string& text) {
     std::set<std::string> called;
-    const std::vector<GlslToken> tokens = glsl_tokens(text);
+    const std::vector<CodeToken> tokens = code_tokens(text);
     for (size_t i = 0; i + 1 < tokens.size(); ++i)
-        if (tokens[i].kind == GlslToken::word && tokens[i + 1].text == "(") called.insert(tokens[i].text);
+        if (tokens[i].kind == CodeToken::word && tokens[i + 1].text == "(") called.insert(tokens[i].text);
     return called;
 }
 
-/// Returns the function and those that it calls, also indirectly, in the order of the text.
+/// Returns the function and all functions that it calls, also indirectly, in the order of the text.
 std::string with_callees(const std::string& fragment, const std::vector<GlslFunction>& all, size_t first) {
     std::vector<bool> taken(all.size());
     std::vector<size_t> waiting = {first};
@@ -105,8 +105,8 @@ std::string with_callees(const std::string& fragment, const std::vector<GlslFunc
 std::string declarations_of(const std::string& fragment, const GlslText& parsed) {
     std::map<size_t, std::string> found;  // by place
     for (const GlslStruct& one : parsed.structs) found[one.begin] = fragment.substr(one.begin, one.end - one.begin);
-    std::vector<GlslToken> tokens = glsl_tokens(fragment);
-    std::erase_if(tokens, [&](const GlslToken& token) {
+    std::vector<CodeToken> tokens = code_tokens(fragment);
+    std::erase_if(tokens, [&](const CodeToken& token) {
         return std::any_of(parsed.functions.begin(), parsed.functions.end(), [&](const GlslFunction& function) {
             return token.begin >= function.begin && token.begin < function.end;
         });

@@ -1,23 +1,22 @@
 #include "framework/course/check/patience.h"
 
-#include <fmt/format.h>
-
-#include <chrono>
-#include <ctime>
+#include <algorithm>
 #include <utility>
 
-#include "framework/core/base/log.h"
+#include "framework/core/base/system.h"
+#include "framework/core/base/text.h"
 
 namespace relief::check {
-namespace {
 
-/// Returns the processor time of all threads of this process.
-double seconds_of_processor() { return double(std::clock()) / CLOCKS_PER_SEC; }
+double Patience::Clock::now() { return os::processor_seconds(); }
 
-}  // namespace
+double Patience::Clock::seconds() const {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin_;
+    return std::max(now() - cpu_, wall.count() / 10);
+}
 
 Patience::Patience(std::function<void(const std::string&)> give_up, PatienceLimits limits)
-    : give_up_(std::move(give_up)), limits_(limits) {}
+    : give_up_(std::move(give_up)), limits_(limits), thread_(&Patience::watch, this) {}
 
 Patience::~Patience() {
     {
@@ -25,39 +24,21 @@ Patience::~Patience() {
         done_ = true;
     }
     changed_.notify_one();
-    if (thread_.joinable()) thread_.join();
+    thread_.join();
 }
 
-void Patience::next(const std::string& name) {
-    {
-        const std::lock_guard lock(mutex_);
-        name_ = name;
-        ++count_;
-    }
-    if (thread_.joinable())
-        changed_.notify_one();
-    else
-        thread_ = std::thread(&Patience::watch, this);
+void Patience::next() {
+    const std::lock_guard lock(mutex_);
+    check_ = Clock();
 }
 
 void Patience::watch() {
-    using Seconds = std::chrono::duration<double>;
     std::unique_lock lock(mutex_);
-    while (!done_) {
-        const int watched = count_;
-        const auto begin = std::chrono::steady_clock::now();
-        const double cpu = seconds_of_processor();
-        const auto is_over = [&] { return done_ || count_ != watched; };
-        while (!changed_.wait_for(lock, Seconds(limits_.remind), is_over)) {
-            const double wall = Seconds(std::chrono::steady_clock::now() - begin).count();
-            print_note(fmt::format("waiting for '{}', {:.0f} seconds so far", name_, wall));
-            const bool is_busy = seconds_of_processor() - cpu >= limits_.cpu;
-            if (wall >= (is_busy ? limits_.wall : 10 * limits_.wall)) {
-                const std::string why = fmt::format("'{}' is not finished after {:.0f} seconds", name_, wall);
-                lock.unlock();
-                return give_up_(why);
-            }
-        }
+    while (!changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return done_; })) {
+        const bool is_lab_over = lab_.seconds() > limits_.lab;
+        if (!is_lab_over && check_.seconds() <= limits_.check) continue;
+        lock.unlock();
+        return give_up_(rounded(is_lab_over ? limits_.lab : limits_.check) + " seconds");
     }
 }
 

@@ -1,7 +1,8 @@
-// Reports which check is running, and calls back when one does not end. The callback ends the program: nothing inside a
-// process can stop an endless loop in a student's code.
+// Watches the time of checks, and calls back when it is used up. Nothing inside a process can stop an endless loop in a
+// student's code, so the callback ends the process.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -10,36 +11,45 @@
 
 namespace relief::check {
 
-/// Limits in seconds. A check is given up when it has used both `wall` and `cpu`: wall time passes while other programs
-/// use the processor, and many threads use up processor time quickly. A sleeping check is given up after ten times
-/// `wall`.
+/// Limits in seconds of processor time, since other programs use up wall time. A process that waits instead of
+/// computing has ten times as much wall time.
 struct PatienceLimits {
-    double remind = 10;
-    double wall = 60, cpu = 60;
+    double check = 10;  ///< for one check
+    double lab = 20;    ///< for all checks of a lab
 };
+/// For a slow machine.
+inline constexpr PatienceLimits patient_limits{.check = 300, .lab = 600};
 
-/// Watches the running check on a separate thread, which the first next() starts. Not thread-safe: all calls must come
-/// from one thread.
+/// Watches this process on a thread of its own, from construction on.
 class Patience {
 public:
-    /// `give_up` is called once, on the watching thread, with "'name' is not finished after 60 seconds".
-    Patience(std::function<void(const std::string& why)> give_up, PatienceLimits limits = {});
+    /// `give_up` is called once, on the watching thread, with the limit that was exceeded: "10 seconds".
+    Patience(std::function<void(const std::string& limit)> give_up, PatienceLimits limits);
     ~Patience();
     Patience(const Patience&) = delete;
     Patience& operator=(const Patience&) = delete;
 
-    /// Ends the previous check, and begins to time the check `name`.
-    void next(const std::string& name);
+    /// Ends the previous check, and begins to time the next one.
+    void next();
 
 private:
+    /// The time since a moment that counts for a limit: of the processor, or a tenth of the wall time if that is more.
+    class Clock {
+    public:
+        double seconds() const;
+
+    private:
+        double cpu_ = now();
+        std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+        static double now();
+    };
     void watch();
 
     const std::function<void(const std::string&)> give_up_;
     const PatienceLimits limits_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::string name_;
-    int count_ = 0;  ///< number of checks that have begun
+    Clock check_, lab_;
     bool done_ = false;
     std::thread thread_;
 };

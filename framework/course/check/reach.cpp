@@ -4,58 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
-#include <string_view>
 #include <vector>
 
+#include "framework/core/base/code_text.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/core/gl/glsl_words.h"
 #include "framework/core/gl/shader_source.h"
 
 namespace relief::check {
 namespace {
-
-bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// Returns the text as the compiler reads it: joins lines at a backslash, and replaces each comment with white space.
-std::string without_comments(const std::string& text) {
-    std::string joined, plain;
-    for (size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\r') continue;
-        if (text[i] == '\\' && text.find_first_not_of('\r', i + 1) < text.size() &&
-            text[text.find_first_not_of('\r', i + 1)] == '\n')
-            i = text.find('\n', i);
-        else
-            joined += text[i];
-    }
-    for (size_t i = 0; i < joined.size(); ++i) {
-        if (joined.compare(i, 2, "//") == 0) {
-            i = std::min(joined.find('\n', i), joined.size());
-            plain += '\n';
-        } else if (joined.compare(i, 2, "/*") == 0) {
-            i = std::min(joined.find("*/", i + 2), joined.size() - 1) + 1;
-            plain += ' ';
-        } else {
-            plain += joined[i];
-        }
-    }
-    return plain;
-}
-
-/// Splits a line into words and single other characters, without white space.
-std::vector<std::string> tokens_of(std::string_view line) {
-    std::vector<std::string> tokens;
-    for (size_t i = 0; i < line.size(); ++i) {
-        if (std::isspace(static_cast<unsigned char>(line[i]))) continue;
-        size_t end = i + 1;
-        while (is_of_a_word(line[i]) && end < line.size() && is_of_a_word(line[end])) ++end;
-        tokens.emplace_back(line.substr(i, end - i));
-        i = end - 1;
-    }
-    return tokens;
-}
 
 constexpr std::array interface_words = {"uniform", "layout", "varying",    "attribute", "buffer",
                                         "shared",  "in",     "subroutine", "out",       "inout"};
@@ -69,71 +29,140 @@ struct Found {
     bool joins_words = false;
 };
 
-Found look(const std::string& text) {
-    Found found;
-    std::string before, before_that;  // the previous two tokens
-    int in_macro = 0;                 // open brackets of a macro's arguments
-    for (const std::string& line : split(without_comments(text), '\n')) {
-        const std::vector<std::string> tokens = tokens_of(line);
-        const bool is_directive = tokens.size() > 1 && tokens[0] == "#";
-        const bool is_definition = is_directive && tokens.size() > 2 && (tokens[1] == "define" || tokens[1] == "undef");
-        if (is_definition) found.macros.insert(tokens[2]);
-        found.joins_words |= line.find("##") != std::string::npos;
-        if (is_directive && (tokens[1].starts_with("if") || tokens[1] == "elif")) {
+/// Reads code, line by line of the preprocessor and piece by piece between these lines.
+class Look {
+public:
+    explicit Look(const std::string& text) {
+        std::vector<CodeToken> code;
+        for (CodeToken& token : all_tokens(text)) {
+            if (token.kind == CodeToken::comment) continue;
+            if (token.kind != CodeToken::directive) {
+                code.push_back(std::move(token));
+                continue;
+            }
+            read(code, false);
+            code.clear();
+            read(tokens_of_directive(token), true);
+        }
+        read(code, false);
+    }
+    Found take() { return std::move(found_); }
+
+private:
+    static bool is_word(const CodeToken& token) { return is_word_character(token.text[0]); }
+
+    void read(const std::vector<CodeToken>& tokens, bool is_directive) {
+        is_directive &= tokens.size() > 1;
+        const bool is_definition =
+            is_directive && tokens.size() > 2 && (tokens[1].text == "define" || tokens[1].text == "undef");
+        if (is_definition) found_.macros.insert(tokens[2].text);
+        for (size_t i = 0; i + 1 < tokens.size(); ++i)
+            found_.joins_words |= tokens[i].text == "#" && tokens[i + 1].text == "#";
+        if (is_directive && (tokens[1].text.starts_with("if") || tokens[1].text == "elif")) {
             for (size_t i = 2; i < tokens.size(); ++i)
-                if (is_of_a_word(tokens[i][0]) && !std::isdigit(static_cast<unsigned char>(tokens[i][0])) &&
-                    tokens[i] != "defined")
-                    found.tested.insert(tokens[i]);
-            found.words.insert(found.tested.begin(), found.tested.end());
-            continue;
+                if (tokens[i].kind == CodeToken::word && tokens[i].text != "defined")
+                    found_.tested.insert(tokens[i].text);
+            found_.words.insert(found_.tested.begin(), found_.tested.end());
+            return;
         }
         for (size_t i = 0; i < tokens.size(); ++i) {
-            const std::string& token = tokens[i];
-            const bool is_argument =
-                before == "(" || before == "," || (before == "const" && (before_that == "(" || before_that == ","));
-            if (found.interface_word.empty() &&
-                std::find(interface_words.begin(), interface_words.end(), token) != interface_words.end() &&
-                (!is_argument || (token != "in" && token != "out" && token != "inout")))
-                found.interface_word = token;
-            const bool is_word = is_of_a_word(token[0]), is_called = i + 1 < tokens.size() && tokens[i + 1] == "(";
-            if (is_word) found.words.insert(token);
-            if (is_word && !is_called && (in_macro > 0 || (is_definition && i > 2))) found.handed.insert(token);
-            if (token == "(" && (in_macro > 0 || (!is_directive && found.macros.contains(before)))) ++in_macro;
-            if (token == ")" && in_macro > 0) --in_macro;
-            if (token == "(" && !before.empty() && is_of_a_word(before[0])) {
-                found.called.insert(before);
-                // "float f(" and "float[2] f(", but not "return f(".
-                if ((is_of_a_word(before_that.empty() ? ' ' : before_that[0]) && before_that != "return" &&
-                     before_that != "else") ||
-                    before_that == "]")
-                    found.defined.insert(before);
-            }
-            before_that = std::move(before);
-            before = token;
+            const bool is_called = i + 1 < tokens.size() && tokens[i + 1].text == "(";
+            if (is_word(tokens[i]) && !is_called && (in_macro_ > 0 || (is_definition && i > 2)))
+                found_.handed.insert(tokens[i].text);
+            take(tokens[i], is_directive);
         }
     }
-    return found;
+
+    void take(const CodeToken& token, bool is_directive) {
+        const bool is_argument =
+            before_ == "(" || before_ == "," || (before_ == "const" && (before_that_ == "(" || before_that_ == ","));
+        if (found_.interface_word.empty() &&
+            std::find(interface_words.begin(), interface_words.end(), token.text) != interface_words.end() &&
+            (!is_argument || (token.text != "in" && token.text != "out" && token.text != "inout")))
+            found_.interface_word = token.text;
+        if (is_word(token)) found_.words.insert(token.text);
+        if (token.text == "(" && (in_macro_ > 0 || (!is_directive && found_.macros.contains(before_)))) ++in_macro_;
+        if (token.text == ")" && in_macro_ > 0) --in_macro_;
+        if (token.text == "(" && !before_.empty() && is_word_character(before_[0])) {
+            found_.called.insert(before_);
+            // "float f(" and "float[2] f(", but not "return f(".
+            if ((is_word_character(before_that_.empty() ? ' ' : before_that_[0]) && before_that_ != "return" &&
+                 before_that_ != "else") ||
+                before_that_ == "]")
+                found_.defined.insert(before_);
+        }
+        before_that_ = std::move(before_);
+        before_ = token.text;
+    }
+
+    Found found_;
+    std::string before_, before_that_;  // the previous two tokens
+    int in_macro_ = 0;                  // open brackets of a macro's arguments
+};
+
+/// Returns why a token of a C++ task reaches for a file; empty if it does not.
+std::string reach_of(const CodeToken& token, const CodeToken* next) {
+    if (token.kind == CodeToken::word) {
+        for (const char* word : {"asm", "__asm", "__asm__", "__FILE__", "__FILE_NAME__", "__BASE_FILE__"})
+            if (token.text == word) return fmt::format("has '{}', which can read files: a task is C++ alone", word);
+    } else if (token.kind == CodeToken::literal) {
+        for (const char* word : {".incbin", ".include"})
+            if (token.text.find(word) != std::string::npos)
+                return fmt::format("has '{}', by which an assembler reads files: a task is C++ alone", word);
+    } else if (token.text == "#" && next && next->text == "#" && next->begin == token.end) {
+        return "has '##': write each name as a whole";
+    } else if (token.text == "%" && next && next->text == ":" && next->begin == token.end) {
+        return "has '%:': write it as '#'";
+    }
+    if (token.kind == CodeToken::word && token.text.ends_with('R') && token.text.size() < 4 && next &&
+        next->kind == CodeToken::literal && next->begin == token.end && next->text.starts_with('"'))
+        return "has a raw string: write it as a plain one";
+    return {};
+}
+
+/// Returns why a preprocessor line of a C++ task reads a file that is no header; empty if it does not.
+std::string reach_of_directive(const CodeToken& directive) {
+    const std::vector<CodeToken> tokens = tokens_of_directive(directive);
+    for (size_t i = 0; i < tokens.size(); ++i)
+        if (const std::string why = reach_of(tokens[i], i + 1 < tokens.size() ? &tokens[i + 1] : nullptr); !why.empty())
+            return why;
+    if (tokens.size() < 2) return {};
+    const std::string& name = tokens[1].text;
+    if (name == "embed") return "has '#embed', which reads a file: a task includes headers only";
+    if (!name.starts_with("include") && name != "import") return {};
+    const size_t begin = directive.text.find_first_not_of(" \t", directive.text.find(name) + name.size());
+    const char quote = begin == std::string::npos ? '\0' : directive.text[begin];
+    const size_t end = directive.text.find(quote == '<' ? '>' : '"', begin + 1);
+    const bool is_named = (quote == '<' || quote == '"') && end != std::string::npos;
+    const std::filesystem::path path = is_named ? directive.text.substr(begin + 1, end - begin - 1) : "";
+    if (name != "include" || !is_named) return fmt::format("has an '#{}' without the name of a header", name);
+    if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+        return fmt::format("includes {}: a task includes headers of the course by their names, without '..'",
+                           path.string());
+    return {};
 }
 
 }  // namespace
 
-bool is_built_in_function(const std::string& name) {
-    static const std::vector<std::string> list = split(
-        "abs acos acosh all any asin asinh atan atanh bitCount bitfieldExtract bitfieldInsert bitfieldReverse ceil "
-        "clamp cos cosh cross dFdx dFdy degrees determinant distance dot equal exp exp2 faceforward findLSB findMSB "
-        "floatBitsToInt floatBitsToUint floor fma fract frexp fwidth greaterThan greaterThanEqual imulExtended "
-        "intBitsToFloat interpolateAtCentroid interpolateAtOffset interpolateAtSample inverse inversesqrt isinf isnan "
-        "ldexp length lessThan lessThanEqual log log2 matrixCompMult max min mix mod modf normalize not notEqual "
-        "outerProduct packDouble2x32 packSnorm4x8 packUnorm2x16 packUnorm4x8 pow radians reflect refract round "
-        "roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch texelFetchOffset texture textureGather "
-        "textureGatherOffset textureGatherOffsets textureGrad textureGradOffset textureLod textureLodOffset "
-        "textureOffset textureProj textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
-        "textureProjOffset textureQueryLod textureSize transpose trunc uaddCarry uintBitsToFloat umulExtended "
-        "unpackDouble2x32 unpackUnorm2x16 unpackUnorm4x8 unpackSnorm4x8 usubBorrow",
-        ' ');
-    static const std::set<std::string> names(list.begin(), list.end());
-    return names.contains(name);
+std::optional<SourceFault> fault_of_task(const std::string& text, const std::string& file) {
+    if (auto fault = fault_of_source(text, file); fault || is_shader(file)) return fault;
+    const std::vector<CodeToken> tokens = all_tokens(text);
+    for (size_t i = 0; i < tokens.size(); ++i) {
+        const CodeToken& token = tokens[i];
+        if (token.kind == CodeToken::comment) continue;
+        const std::string why = token.kind == CodeToken::directive
+                                    ? reach_of_directive(token)
+                                    : reach_of(token, i + 1 < tokens.size() ? &tokens[i + 1] : nullptr);
+        if (why.empty()) continue;
+        const size_t begin = token.begin == 0 ? 0 : text.rfind('\n', token.begin - 1) + 1,
+                     end = std::min(text.find('\n', begin), text.size());
+        return SourceFault{1 + int(std::count(text.begin(), text.begin() + long(begin), '\n')), why,
+                           marked_line(text.substr(begin, end - begin), token.begin - begin)};
+    }
+    return {};
 }
+
+bool is_built_in_function(const std::string& name) { return built_in_functions().contains(name); }
 
 OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
     std::set<std::filesystem::path> taken;  // also the task files, which must not be read
@@ -155,7 +184,7 @@ OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
 }
 
 void OtherShaders::add(const std::string& text) {
-    Found found = look(text);
+    Found found = Look(text).take();
     words_.merge(found.words);
     called_.merge(found.called);
     defined_.merge(found.defined);
@@ -166,7 +195,7 @@ void OtherShaders::add(const std::string& text) {
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others) {
     for (const std::string& name : included_by(task_file))
         if (!others.lend(name)) return fmt::format("includes {}, which is not part of this task", name);
-    const Found found = look(task_file);
+    const Found found = Look(task_file).take();
     if (found.joins_words) return "has '##': write each name as a whole";
     for (const std::string& word : found.words)
         if (others.switch_by(word) || word.starts_with("PROBE_") || word.starts_with("__"))

@@ -3,9 +3,11 @@
 // condition could distinguish a probe from a picture.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
+#include "framework/core/base/source_text.h"
 #include "framework/core/lab/manifest.h"
 
 namespace relief::check {
@@ -39,5 +41,11 @@ private:
 /// built-in function that the others call, and may not join words (##). It may not use a word that distinguishes the
 /// lab's programs, and may not declare uniforms, inputs or outputs.
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
+
+/// Returns the first fault_of_source() of a task file, or the first place where a C++ task reaches for the text of a
+/// file: `asm`, `.incbin`, `#embed`, `__FILE__`, an #include of anything but a header's name, and spellings that hide
+/// these, such as `##`. Nothing if there is none. The grader does not rely on it: what it compiles and runs with a
+/// student's C++ holds no text of a C++ solution.
+std::optional<SourceFault> fault_of_task(const std::string& text, const std::string& file);
 
 }  // namespace relief::check

@@ -58,35 +58,6 @@ void walk(const std::string& text, const fs::path& file, Take take) {
     if (part != TextPart::shared) throw Error({file, opened}, "this //[solution is never closed by //]");
 }
 
-/// Returns the text without comments, so that a mention in a comment does not count.
-std::string code_of(const std::string& text) {
-    std::string code;
-    for (size_t i = 0; i < text.size();) {
-        if (text.compare(i, 2, "//") == 0) {
-            i = std::min(text.find('\n', i), text.size());
-        } else if (text.compare(i, 2, "/*") == 0) {
-            const size_t end = text.find("*/", i + 2);
-            i = end == std::string::npos ? text.size() : end + 2;
-        } else {
-            code += text[i++];
-        }
-    }
-    return code;
-}
-
-bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
-
-/// Returns the position of the first "TASK id" from `from` on that is not a part of a longer word. npos if there is
-/// none.
-size_t find_task(const std::string& text, const std::string& id, size_t from) {
-    const std::string words = "TASK " + id;
-    for (size_t at = text.find(words, from); at != std::string::npos; at = text.find(words, at + 1)) {
-        const size_t end = at + words.size();
-        if (id.empty() || end == text.size() || !is_name(text[end])) return at;
-    }
-    return std::string::npos;
-}
-
 }  // namespace
 
 std::string starter_of(const std::string& text, const fs::path& file) {
@@ -130,19 +101,6 @@ Region region_of(const std::string& text, const fs::path& file, const std::strin
     return found;
 }
 
-bool is_unfinished(const std::string& text, const std::string& task) {
-    const size_t named = find_task(text, task, 0), begin = named == std::string::npos ? 0 : named;
-    const size_t end = named == std::string::npos ? named : find_task(text, "", begin + 1);
-    // From the line's start: "TASK" stands in a comment, whose "//" comes before it.
-    const size_t line = begin == 0 ? 0 : text.rfind('\n', begin) + 1;
-    const std::string code = code_of(text.substr(line, end == std::string::npos ? end : end - line));
-    for (size_t at = code.find("unfinished"); at != std::string::npos; at = code.find("unfinished", at + 1)) {
-        const size_t after = code.find_first_not_of(" \t\n", at + 10);
-        if ((at == 0 || !is_name(code[at - 1])) && after != std::string::npos && code[after] == '(') return true;
-    }
-    return false;
-}
-
 std::vector<TaskPart> task_parts(const std::string& text) {
     std::vector<TaskPart> parts = {{"", ""}};
     for (size_t begin = 0; begin < text.size();) {
@@ -168,15 +126,6 @@ std::vector<TaskPart> task_parts(const std::string& text) {
         begin = end;
     }
     return parts;
-}
-
-std::string task_at_line(const std::string& text, size_t line) {
-    size_t ends = 0;
-    for (const TaskPart& part : task_parts(text)) {
-        ends += size_t(std::count(part.text.begin(), part.text.end(), '\n'));
-        if (line <= ends + (part.text.empty() || part.text.ends_with('\n') ? 0 : 1)) return part.task;
-    }
-    return {};
 }
 
 }  // namespace relief::check

@@ -38,19 +38,13 @@ struct Region {
 /// Throws Error with the file if there is no such region, and with file and line if the marks do not match.
 Region region_of(const std::string& text, const std::filesystem::path& file, const std::string& name);
 
-/// Returns whether the code between `TASK id` and the next TASK still calls unfinished(). Searches the whole file if it
-/// does not name the task.
-bool is_unfinished(const std::string& text, const std::string& task);
-
-/// One task's part of a task file: from its first line "// TASK 11.2" to the first such line of another task.
+/// One task's part of a task file of the staff's, which has these comments: from its first line "// TASK 11.2" to the
+/// first such line of another task.
 struct TaskPart {
     std::string task;  ///< the task's id; empty for the part before the first task
     std::string text;
 };
 /// Returns the parts of a task file in order. The first part is the text before the first task, which may be empty.
 std::vector<TaskPart> task_parts(const std::string& text);
-
-/// Returns the task whose part has this line, counted from 1. Empty for a line that belongs to no task.
-std::string task_at_line(const std::string& text, size_t line);
 
 }  // namespace relief::check

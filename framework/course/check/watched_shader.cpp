@@ -311,7 +311,8 @@ size_t start_of_line(const ShaderSource& source, size_t line) {
 std::string globals(WatchedFunction::Stage stage, size_t note_size) {
     return fmt::format(
         "{}"
-        "uniform int {}, {}, {}, {}, {}, {};\n"
+        "uniform int {}, {}, {}, {}, {}, {}, {};\n"
+        "uniform vec4 {};\n"
         "int relief_calls = 0;\n"
         "float relief_note[{}];\n"
         // Numbers of equal magnitude are perturbed alike, so equal numbers stay equal.
@@ -325,7 +326,7 @@ std::string globals(WatchedFunction::Stage stage, size_t note_size) {
         "    return float(min(abs(own - exact) / off, 1e30lf));\n"
         "}}\n",
         stage == WatchedFunction::fragment ? "#define RELIEF_FRAGMENT_STAGE\n" : "", watched::noting, watched::function,
-        watched::stage, watched::call, watched::rounds, watched::flow, note_size);
+        watched::stage, watched::call, watched::rounds, watched::flow, watched::shaken, watched::region, note_size);
 }
 
 /// Returns one vec4 of the current slice, by its index among eight.
@@ -341,7 +342,7 @@ vec4 relief_slice(int place) {
 /// copies.
 std::vector<Change> without_outputs(const std::string& text) {
     std::vector<Change> changes;
-    const std::vector<GlslToken> tokens = glsl_tokens(text);
+    const std::vector<CodeToken> tokens = code_tokens(text);
     const auto is = [&](size_t i, const char* word) { return i < tokens.size() && tokens[i].text == word; };
     for (size_t i = 0; i < tokens.size(); ++i)
         if (is(i, "layout") && is(i + 1, "(") && is(i + 2, "location") && is(i + 5, ")") && is(i + 6, "out") &&
@@ -352,11 +353,26 @@ std::vector<Change> without_outputs(const std::string& text) {
     return changes;
 }
 
+/// Returns the change of an output at this texel. Neighbours change differently, since a constant would not change a
+/// difference between them.
+constexpr const char* shake = R"(
+vec4 relief_shake(uint output_) {
+    vec2 at = gl_FragCoord.xy;
+    if (u_relief_shaken == 0 || any(lessThan(at, u_relief_region.xy)) || any(greaterThan(at, u_relief_region.zw)))
+        return vec4(0.0);
+    uint bits = (uint(at.x) * 1973u + uint(at.y) * 9277u + output_ * 26699u + 1u) * 2654435761u;
+    bits = (bits ^ (bits >> 15)) * 2246822519u;
+    vec4 side = vec4(bits >> 20 & 1u, bits >> 21 & 1u, bits >> 22 & 1u, bits >> 23 & 1u) * 1.5 - 0.75;
+    return vec4(side.rgb, u_relief_shaken == 4 ? side.a : 0.0);
+}
+)";
+
 std::string fragment_main(bool notes, bool carries) {
     std::string code, writes;
     for (int i = 0; i < 8; ++i) {
         code += fmt::format("layout(location = {0}) out vec4 relief_out_{0};\n", i);
-        writes += fmt::format("#ifdef RELIEF_OUT_{0}\n    relief_out_{0} = RELIEF_OUT_{0};\n#endif\n", i);
+        writes += fmt::format(
+            "#ifdef RELIEF_OUT_{0}\n    relief_out_{0} = RELIEF_OUT_{0} + relief_shake({0}u);\n#endif\n", i);
     }
     std::string noted;
     for (int i = 0; i < 8; ++i) {
@@ -368,7 +384,7 @@ std::string fragment_main(bool notes, bool carries) {
                                               : carried);
     }
     if (carries) code += "flat in vec4 relief_carried[8];\n";
-    return code + "void main() {\n    relief_main();\n" + writes + "    if (u_relief_noting > 0) {\n" + noted +
+    return code + shake + "void main() {\n    relief_main();\n" + writes + "    if (u_relief_noting > 0) {\n" + noted +
            "    }\n}\n";
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/gl/glsl_text.h"
+#include "framework/core/base/code_text.h"
 #include "framework/core/gl/shader_source.h"
 
 namespace relief::check {
@@ -76,6 +76,10 @@ constexpr const char* rounds = "u_relief_rounds";
 constexpr int all_rounds = 7;
 /// The results that callers get: 0: the functions' own; -1: the twins'; 1 + i: the twin's for function i only.
 constexpr const char* flow = "u_relief_flow";
+/// How many channels of each output are changed by 0.75 up or down, at random for each texel, inside of `region`: x and
+/// y of the lower corner, then of the upper one, which is outside. 0: none.
+constexpr const char* shaken = "u_relief_shaken";
+constexpr const char* region = "u_relief_region";
 }  // namespace watched
 
 /// Rewrites the stages of a program. `functions` is one list for all programs; adds this program's functions to it if

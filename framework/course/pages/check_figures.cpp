@@ -26,6 +26,7 @@ const char* sign_of(check::Outcome outcome) {
         case check::Outcome::wrong:
             return "✗";
         case check::Outcome::unfinished:
+        case check::Outcome::unproven:
         case check::Outcome::waiting:
             return "…";
         case check::Outcome::machine:

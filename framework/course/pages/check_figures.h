@@ -34,7 +34,7 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
 double largest_limit(const Limits& limits);
 
 /// Returns the fields of {{> check_figures}}. If both pictures exist, they have the same colours, and there is a map of
-/// their difference; an empty picture is omitted, as is `related`: see check::CheckResult. `drawn` is untrusted: its
+/// their difference; an empty picture is omitted, as is `related`: see check::Verdict. `drawn` is untrusted: its
 /// values can be anything. Without scripts the pictures are side by side.
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
                      DrawnBy who, const Image& related = {});

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "framework/core/base/folded_text.h"
 #include "framework/core/base/text.h"
-#include "framework/core/context/context.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/page.h"
 
@@ -16,8 +16,8 @@ namespace relief::pages {
 namespace {
 
 /// `told` holds the probes of the task whose colours an unfolded check above explains.
-Fields fields_of(const Manifest& manifest, const check::CheckResult& result, std::set<std::string>& told) {
-    const CheckInfo& check = *result.check;
+Fields fields_of(const Manifest& manifest, const check::Verdict& result, std::set<std::string>& told) {
+    const CheckInfo& check = manifest.check(result.name);
     const bool passed = result.outcome == check::Outcome::passed;
     Fields pictures = check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related);
     if (!passed) tell_once(pictures, told);
@@ -27,37 +27,52 @@ Fields fields_of(const Manifest& manifest, const check::CheckResult& result, std
             {"open", !passed},
             {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
             {"found", result.found},
-            {"details", result.details},
             {"allowed", check.reason},
-            {"pictures", std::move(pictures)}};
+            {"pictures", check.shot.calls ? Value() : Value(std::move(pictures))}};
 }
 
-check::Outcome worst(const check::TaskResult& task) {
+check::Outcome worst(const check::TaskVerdict& task) {
     check::Outcome outcome = check::Outcome::passed;
-    for (const check::CheckResult& result : task.checks) outcome = std::max(outcome, result.outcome);
+    for (const check::Verdict& result : task.checks) outcome = std::max(outcome, result.outcome);
     return outcome;
+}
+
+/// Returns the distinct messages of compilers, each with its source line. They stand before all tasks: one mistake in a
+/// file keeps every check from drawing.
+List messages_of(const std::vector<check::TaskVerdict>& tasks) {
+    List messages;
+    std::set<std::string> seen;
+    for (const check::TaskVerdict& task : tasks)
+        for (const check::Verdict& result : task.checks) {
+            const FoldedText parts = unfolded_text(result.details);
+            if (result.details.empty() || !seen.insert(result.found + parts.shown).second) continue;
+            messages.push_back(Fields{{"message", result.found},
+                                      {"details", parts.shown},
+                                      {"more", parts.folded.empty() ? "" : more_messages(parts.folded.size())},
+                                      {"folded", join(parts.folded, "\n")}});
+        }
+    return messages;
 }
 
 }  // namespace
 
-std::string look_at(const check::CheckResult& result) {
+std::string look_at(const check::Verdict& result) {
     if (result.look_at.empty() && result.outcome == check::Outcome::broken)
         return result.found.find("not finite") != std::string::npos
                    ? "a root of a negative number, or 0 / 0: nothing can be measured before the values are finite"
-               : result.details.empty()
-                   ? "fix what the message names"
-                   : "fix what the message names; a missing ; stands at the end of the line before";
+                   : "fix what the message names";
     return result.look_at;
 }
 
-std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<check::TaskResult>& tasks) {
+std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<check::TaskVerdict>& tasks,
+                       const std::string& driver) {
     double points = 0;
     List shown;
-    for (const check::TaskResult& task : tasks) {
+    for (const check::TaskVerdict& task : tasks) {
         points += task.points();
         List checks;
         std::set<std::string> hints, told;  // each once in a task
-        for (const check::CheckResult& result : task.checks) {
+        for (const check::Verdict& result : task.checks) {
             Fields fields = fields_of(manifest, result, told);
             const bool is_told =
                 result.outcome >= check::Outcome::wrong && result.outcome != check::Outcome::unfinished;
@@ -66,10 +81,14 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
             fields["look_at"] = is_new ? rows(with_code(hint).list) : Value();
             checks.push_back(std::move(fields));
         }
-        shown.push_back(Fields{{"id", task.task->id},
-                               {"title", task.task->title},
-                               {"file", task.task->file},
+        List not_tested;
+        for (const std::string& demand : task.not_tested) not_tested.push_back(Fields{{"demand", demand}});
+        shown.push_back(Fields{{"id", task.id},
+                               {"title", task.title},
+                               {"file", task.file},
+                               {"hint", rows(with_code(task.hint).list)},
                                {"points", check::points_text(task)},
+                               {"not_tested", std::move(not_tested)},
                                {"worst", badge(worst(task))},
                                {"checks", std::move(checks)}});
     }
@@ -81,9 +100,11 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                   {{"number", number},
                    {"title", manifest.title},
                    {"points", reached},
+                   {"said", check::points_text(tasks)},
                    {"of", manifest.points()},
+                   {"messages", messages_of(tasks)},
                    {"tasks", std::move(shown)},
-                   {"driver", describe_context().driver()}});
+                   {"driver", driver}});
 }
 
 }  // namespace relief::pages

@@ -10,10 +10,10 @@ namespace relief::pages {
 
 /// Returns the hint for the student. If nothing was drawn, nothing was measured, and the check's own hint would
 /// mislead; then the hint is about that.
-std::string look_at(const check::CheckResult& result);
+std::string look_at(const check::Verdict& result);
 
-/// Returns the page with its pictures embedded: it opens from disk, without a network. Needs a current context, to name
-/// its driver.
-std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<check::TaskResult>& tasks);
+/// Returns the page with its pictures embedded: it opens from disk, without a network. `driver`: that drew them.
+std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<check::TaskVerdict>& tasks,
+                       const std::string& driver);
 
 }  // namespace relief::pages

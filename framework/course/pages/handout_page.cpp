@@ -13,6 +13,7 @@
 #include "framework/course/pages/markdown_page.h"
 #include "framework/course/pages/page.h"
 #include "framework/course/pages/picture_words.h"
+#include "framework/course/pages/sources.h"
 
 namespace relief::pages {
 namespace {
@@ -37,7 +38,9 @@ public:
     List blocks() const {
         const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
                                 .picture = [this](const std::string& target) { return picture(target); }};
-        return markdown_blocks(parse_markdown(read_file(course_root() / home_ / "README.md", size_t{1} << 24)), places);
+        const fs::path file = course_root() / home_ / "README.md";
+        const std::string text = with_sources(read_file(file, size_t{1} << 24), load_sources(), file);
+        return markdown_blocks(parse_markdown(text), places);
     }
 
     std::string page() const {

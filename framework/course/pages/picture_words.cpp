@@ -18,7 +18,7 @@ std::string color_of(glm::vec4 color) {
     return fmt::format("rgb({} {} {} / {:.2f})", byte(color.x), byte(color.y), byte(color.z), color.w);
 }
 
-/// Returns the captions of each tile: those at its top, and those at its bottom.
+/// Returns the captions of each tile at its top, and at its bottom.
 List tiles_of_captions(std::span<const PictureWord> words) {
     std::vector<PictureWord> captions;
     for (const PictureWord& word : words)

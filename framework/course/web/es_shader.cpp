@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "framework/core/gl/glsl_text.h"
+#include "framework/core/base/code_text.h"
 
 namespace relief::web {
 namespace {
@@ -63,16 +63,16 @@ std::string lines_of(const std::string& text, size_t begin, size_t end) {
 }
 
 /// Returns the changes that remove the suffix of numbers in double precision.
-std::vector<Change> changed_numbers(const std::vector<GlslToken>& tokens) {
+std::vector<Change> changed_numbers(const std::vector<CodeToken>& tokens) {
     std::vector<Change> changes;
-    for (const GlslToken& token : tokens)
-        if (token.kind == GlslToken::number && (token.text.ends_with("lf") || token.text.ends_with("LF")))
+    for (const CodeToken& token : tokens)
+        if (token.kind == CodeToken::number && (token.text.ends_with("lf") || token.text.ends_with("LF")))
             changes.push_back({token.end - 2, 2, ""});
     return changes;
 }
 
 /// Returns the changes of declarations outside of functions.
-std::vector<Change> changed_declarations(const std::string& text, const std::vector<GlslToken>& tokens, EsStage stage) {
+std::vector<Change> changed_declarations(const std::string& text, const std::vector<CodeToken>& tokens, EsStage stage) {
     std::vector<Change> changes;
     int depth = 0;
     for (size_t first = 0, i = 0; i < tokens.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<Change> changed_declarations(const std::string& text, const std::vec
         if (depth != 0 || (token != ";" && token != "}")) continue;
         const auto begin = tokens.begin() + std::ptrdiff_t(first), end = tokens.begin() + std::ptrdiff_t(i);
         const auto has = [&](std::string_view word) {
-            return std::any_of(begin, end, [&](const GlslToken& each) { return each.text == word; });
+            return std::any_of(begin, end, [&](const CodeToken& each) { return each.text == word; });
         };
         first = i + 1;
         if (token == "}" || begin == end) continue;
@@ -145,7 +145,7 @@ const std::vector<MissingFunction>& missing_functions() {
 }
 
 std::string es_shader(const std::string& text, EsStage stage) {
-    const std::vector<GlslToken> tokens = glsl_tokens(text);
+    const std::vector<CodeToken> tokens = code_tokens(text);
     std::vector<Change> changes = changed_declarations(text, tokens, stage), numbers = changed_numbers(tokens);
     changes.insert(changes.end(), numbers.begin(), numbers.end());
     std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
@@ -154,12 +154,12 @@ std::string es_shader(const std::string& text, EsStage stage) {
     body.erase(0, std::min(body.find('\n'), body.size() - 1) + 1);  // the version
     std::string head = std::string("#version 300 es\n") + precisions;
     for (const MissingFunction& function : missing_functions()) {
-        const auto is_call = [&](const GlslToken& token) { return token.text == function.name; };
+        const auto is_call = [&](const CodeToken& token) { return token.text == function.name; };
         if ((stage == EsStage::fragment || !function.in_fragments_only) &&
             std::any_of(tokens.begin(), tokens.end(), is_call))
             head += function.text;
     }
-    const auto is_main = [](const GlslToken& token) { return token.text == "main"; };
+    const auto is_main = [](const CodeToken& token) { return token.text == "main"; };
     if (stage == EsStage::vertex && std::any_of(tokens.begin(), tokens.end(), is_main)) {
         head += "#define main relief_main\n";
         body += moving_main;

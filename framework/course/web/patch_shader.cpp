@@ -8,14 +8,14 @@
 #include <set>
 #include <utility>
 
+#include "framework/core/base/code_text.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/glsl_text.h"
 
 namespace relief::web {
 namespace {
 
-/// Returns what a line `#define NAME ...` defines, or "".
+/// Returns the definition of a line `#define NAME ...`, or "".
 std::string defined(const std::string& text, const std::string& name) {
     const std::string words = "\n#define " + name + " ";
     const size_t at = text.find(words);
@@ -32,7 +32,7 @@ struct Leaf {
 class Conversion {
 public:
     Conversion(const std::string& text, PatchStage stage)
-        : text_(text), stage_(stage), tokens_(glsl_tokens(text)), structs_(parse_glsl(text).structs) {
+        : text_(text), stage_(stage), tokens_(code_tokens(text)), structs_(parse_glsl(text).structs) {
         if (stage != PatchStage::vertex) read_layout();
     }
 
@@ -72,7 +72,7 @@ private:
         if (result_.corners < 1) throw Error("in a browser, a stage needs a known number of vertices of a patch");
     }
 
-    /// Makes global variables of what other stages pass, and drops the layout of the whole stage.
+    /// Turns the inputs from other stages into global variables, and drops the layout of the whole stage.
     void change_declarations() {
         int depth = 0;
         for (size_t first = 0, i = 0; i < tokens_.size(); ++i) {
@@ -105,7 +105,7 @@ private:
             if (const auto found = names.find(tokens_[i].text); found != names.end()) changes_[i] = found->second;
     }
 
-    /// Returns the text with other tokens in place of those in changes_.
+    /// Returns the text with the tokens of changes_ replaced.
     std::string changed() const {
         std::string result;
         size_t done = 0;
@@ -190,7 +190,7 @@ private:
 
     const std::string& text_;
     const PatchStage stage_;
-    std::vector<GlslToken> tokens_;
+    std::vector<CodeToken> tokens_;
     std::vector<GlslStruct> structs_;
     std::map<size_t, std::string> changes_;  ///< texts in place of tokens, by index
     PatchShader result_;

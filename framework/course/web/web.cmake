@@ -15,7 +15,7 @@ add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 set(RELIEF_MAIN ${PROJECT_SOURCE_DIR}/framework/course/web/web.cpp)
 relief_add_labs(${PROJECT_SOURCE_DIR}/labs)
-target_link_libraries(relief PRIVATE nlohmann_json::nlohmann_json PNG::PNG tinyobjloader::tinyobjloader)
+target_link_libraries(relief PRIVATE nlohmann_json::nlohmann_json PNG::PNG)
 # The JavaScript around the module evaluates no text, so that a page can forbid it.
 target_link_options(relief PRIVATE --no-entry -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
   -sALLOW_MEMORY_GROWTH=1 -sINITIAL_MEMORY=64MB -sTOTAL_STACK=4MB -sDYNAMIC_EXECUTION=0

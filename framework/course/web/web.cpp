@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/folded_text.h"
 #include "framework/core/base/missing_files.h"
 #include "framework/core/base/own_file.h"
 #include "framework/core/base/paths.h"
@@ -31,7 +32,7 @@ struct OpenLab {
     std::unique_ptr<Lab> lab;
     check::LabChecker checker;
     /// The pictures of the checks that have run, by index.
-    std::map<size_t, check::CheckResult> results = {};
+    std::map<size_t, check::Verdict> results = {};
 
     explicit OpenLab(const LabEntry& from)
         : entry(from),
@@ -59,7 +60,8 @@ const char* answer(const Work& work) {
         result["value"] = work();
     } catch (const Error& error) {
         result["error"] = error.what();
-        result["details"] = error.more_details();
+        const FoldedText parts = unfolded_text(error.details());
+        result["details"] = parts.shown, result["further"] = parts.folded;
         if (!error.place().file.empty())
             result["file"] = shown(error.place().file), result["line"] = error.place().line;
     } catch (const std::exception& error) {
@@ -192,6 +194,7 @@ EMSCRIPTEN_KEEPALIVE const char* relief_open(int number) {
                               {"task", check.task},
                               {"camera", camera_of(check.shot.camera)},
                               {"probe", check.shot.probe.name},
+                              {"has_view", !check.shot.calls},
                               {"set", check.shot.set}});
         return {{"title", manifest.title},
                 {"folder", lab().entry.folder},
@@ -252,35 +255,36 @@ EMSCRIPTEN_KEEPALIVE const char* relief_check(int index) {
     return answer([&]() -> json {
         const size_t i = size_t(index);
         const CheckInfo& check = lab().manifest.checks.at(i);
-        const check::CheckResult& result = lab().results[i] =
-            lab().checker.run(i, check::expectation(lab().entry, check));
-        return {{"outcome", name_of(result.outcome)}, {"found", result.found}, {"details", result.details}};
+        const check::Verdict& result = lab().results[i] = lab().checker.run(i, check::expectation(lab().entry, check));
+        const FoldedText parts = unfolded_text(result.details);
+        return {{"outcome", name_of(result.outcome)},
+                {"found", result.found},
+                {"details", parts.shown},
+                {"further", parts.folded}};
     });
 }
 
-/// Returns, after all checks have run, each check's outcome and hint, and each task's points and known
-/// mistake.
+/// Returns, after all checks have run, each check's outcome and hint, each task's points and known mistake, and the
+/// points of all tasks that can be written in a browser.
 EMSCRIPTEN_KEEPALIVE const char* relief_advice() {
     return answer([&]() -> json {
-        check::Advice advice = lab().checker.advice();
+        const std::vector<check::TaskVerdict> results = lab().checker.tasks();
+        std::vector<check::TaskVerdict> written;
+        std::copy_if(results.begin(), results.end(), std::back_inserter(written),
+                     [](const check::TaskVerdict& task) { return is_shader(task.file); });
         json tasks = json::array(), checks = json::array();
-        std::vector<check::TaskResult> results;
-        for (const TaskInfo& task : lab().manifest.tasks) results.push_back({.task = &task, .checks = {}});
-        for (size_t i = 0; i < lab().manifest.checks.size(); ++i) {
-            check::CheckResult result = lab().results.at(i);
-            advice.apply(i, result);
-            checks.push_back(
-                {{"outcome", name_of(result.outcome)}, {"found", result.found}, {"look_at", result.look_at}});
-            for (check::TaskResult& task : results)
-                if (task.task->id == result.check->task) task.checks.push_back(std::move(result));
-        }
-        for (const check::TaskResult& task : results)
-            tasks.push_back({{"id", task.task->id},
+        checks.get_ref<json::array_t&>().resize(lab().manifest.checks.size());
+        for (const check::TaskVerdict& task : results) {
+            for (const check::Verdict& said : task.checks)
+                checks[said.index] = {
+                    {"outcome", name_of(said.outcome)}, {"found", said.found}, {"look_at", said.look_at}};
+            tasks.push_back({{"id", task.id},
                              {"points", task.points()},
-                             {"of", task.task->points},
+                             {"of", task.of},
                              {"said", points_text(task)},
-                             {"mistake", advice.mistakes[task.task->id]}});
-        return {{"tasks", tasks}, {"checks", checks}, {"said", points_text(results)}};
+                             {"hint", task.hint}});
+        }
+        return {{"tasks", tasks}, {"checks", checks}, {"said", points_text(written)}};
     });
 }
 
@@ -297,10 +301,10 @@ EMSCRIPTEN_KEEPALIVE const char* relief_probe(const char* request) {
 /// 2 their difference.
 EMSCRIPTEN_KEEPALIVE const char* relief_picture(int index, int which) {
     return answer([&]() -> json {
-        const check::CheckResult& result = lab().results.at(size_t(index));
+        const check::Verdict& result = lab().results.at(size_t(index));
         if (result.drawn.values.empty() || result.expected.values.empty())
             throw Error("this check compares no pictures");
-        const std::string& name = result.check->shot.probe.name;
+        const std::string& name = lab().manifest.checks.at(size_t(index)).shot.probe.name;
         const ProbeInfo* const probe = name.empty() ? nullptr : &lab().manifest.probe(name);
         if (which == 2) {
             const Image error =

@@ -124,7 +124,7 @@ public:
                 glfwPollEvents();
             } else {
                 if (shown_ != told_) print_event(fmt::format("asleep after {} frames of the menu", told_ = shown_));
-                glfwWaitEventsTimeout(look_every);
+                glfwWaitEventsTimeout(error_map_.computes() ? look_soon : look_every);
             }
             const bool news = look();
             if (window_.take_event() || news) turns_ = 3;
@@ -156,8 +156,8 @@ private:
         return false;
     }
 
-    /// Looks for saved files, and computes the error map once the picture is still. Returns whether there is anything
-    /// new to show.
+    /// Looks for saved files, and begins the error map once the picture is still. Returns whether there is anything new
+    /// to show.
     bool look() {
         const double now = glfwGetTime();
         bool news = false;
@@ -173,11 +173,11 @@ private:
             explanation_.compute(stage_);
             news = true;
         }
-        // Not during a pause in a drag: the exact values may take a second.
-        if (error_map_.wanted() && !check_view_.is_open() && !is_dragged() && !moves() && now - drawn_ >= still_for) {
-            error_map_.compute(stage_);
-            news = true;
-        }
+        // Not during a pause in a drag: exact values take all of the machine's threads.
+        if (error_map_.wanted() && !check_view_.is_open() && !is_dragged() && !moves() && now - drawn_ >= still_for &&
+            !stage_.is_due(room_, time_))
+            news |= error_map_.begin(stage_);
+        news |= error_map_.finish(stage_);
         return news;
     }
 
@@ -268,7 +268,7 @@ private:
         if (!paused_) time_ = glfwGetTime() - begin_;
 
         const int half = error_map_.on() ? 2 : 1;
-        const glm::ivec2 room =
+        const glm::ivec2 room = room_ =
             glm::clamp(glm::ivec2(picture.size.x / half, picture.size.y), glm::ivec2(1), glm::ivec2(max_picture_side));
         // Before a slow frame, show a note over the old picture for one turn.
         const bool waits = !check_view_.is_open() && stage_.is_due(room, time_) && stage_.is_slow();
@@ -311,7 +311,7 @@ private:
         act(wish);
     }
 
-    /// Says what the picture waits for.
+    /// Says why the picture is not there yet.
     void draw_opening(const Box& picture) const {
         if (!stage_.is_opening()) return draw_note(picture, "drawing ...");
         const ImVec2 low{float(picture.at.x), float(picture.at.y)},
@@ -383,7 +383,7 @@ private:
         if (start_.is_open() && (wish.lab || wish.check || !wish.probe.empty() || !wish.knob.empty())) hide_labs();
         if (wish.step) step(wish.step);
         if (wish.handout) toggle_handout();
-        if (wish.error_map) error_map_.toggle();
+        if (wish.error_map) error_map_.toggle(), room_ = {};  // the next turn draws the picture in its new size
         if (wish.save_map) save_map();
         if (wish.save_heights) save_heights();
         if (!wish.message.empty()) message_ = wish.message;
@@ -399,7 +399,8 @@ private:
 
     void show_check(const std::string& name) {
         if (name.empty()) return check_view_.close();
-        stage_.apply(stage_.manifest().check(name).shot);
+        const Shot& shot = stage_.manifest().check(name).shot;
+        if (!shot.calls) stage_.apply(shot);  // calls have no view
         edits_ = stage_.edits();
         check_view_.open(name);
         panel_.show_checks();
@@ -703,7 +704,7 @@ private:
         }
     }
 
-    static constexpr double look_every = 0.2, still_for = 0.3;  // seconds
+    static constexpr double look_every = 0.2, look_soon = 0.02, still_for = 0.3;  // seconds
     GlfwWindow window_{{1280, 800}, "Relief", true};
     const float display_scale_ = scale_of(window_.handle());
     float zoom_ = 1, scale_ = display_scale_;  ///< `zoom_`: set by Ctrl and +/-; `scale_`: zoom times display scale
@@ -723,6 +724,7 @@ private:
     Brush brush_;
     bool help_ = false, is_told_ = false;  ///< help is open; the "drawing ..." note has been shown
     Box noted_;
+    glm::ivec2 room_{0};               ///< the picture's size in the last turn; 0 if the next turn will change it
     int64_t edits_ = 0, settled_ = 0;  ///< stage.edits() seen so far; stage.edits() at the last step of undo
     Handout handout_;
     ErrorMap error_map_;

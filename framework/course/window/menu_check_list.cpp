@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include "framework/core/base/error.h"
-#include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
+#include "framework/course/check/task_text.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/check_page.h"
 #include "framework/course/pages/markdown.h"
@@ -22,12 +23,13 @@ struct Sign {
     ImVec4 color;
 };
 
-Sign sign_of(const std::optional<check::CheckResult>& result) {
+Sign sign_of(const std::optional<check::Verdict>& result) {
     if (!result) return {"\u25cb", quiet};
     switch (result->outcome) {
         case check::Outcome::passed:
             return {"\u2713", good};
         case check::Outcome::unfinished:
+        case check::Outcome::unproven:
         case check::Outcome::waiting:
             return {"\u2026", amber};
         case check::Outcome::wrong:
@@ -37,15 +39,13 @@ Sign sign_of(const std::optional<check::CheckResult>& result) {
     }
 }
 
-/// Returns the line of the task's marker in its file; 0 if it has none or the file is missing.
+/// Returns the line of the task's first function in its file; 0 if it has none or the file is missing.
 int line_of(const TaskInfo& task) {
     try {
-        const std::vector<std::string> lines = split(read_file(course_root() / task.file, size_t{1} << 20), '\n');
-        for (size_t i = 0; i < lines.size(); ++i)
-            if (lines[i].find("TASK " + task.id) != std::string::npos) return int(i) + 1;
+        return check::line_of_task(read_source(course_root() / task.file), task);
     } catch (const Error&) {  // the editor reports the missing file
+        return 0;
     }
-    return 0;
 }
 
 /// A selectable that wraps over several lines.
@@ -67,13 +67,11 @@ void draw_hint(const std::string& hint) {
     wrapped(spans, accent);
 }
 
-/// `mistake` is a hint that is already shown above and is not repeated.
-void draw_result(const CheckInfo& check, const check::CheckResult& result, const std::string& mistake) {
+void draw_result(const CheckInfo& check, const check::Verdict& result) {
     ImGui::Indent();
     wrapped(pages::outcome_words(result.outcome) + ": " + result.found);
     if (result.outcome == check::Outcome::wrong && !check.reason.empty()) quiet_text("Why this limit: " + check.reason);
-    if (const std::string hint = pages::look_at(result);
-        !hint.empty() && hint != mistake && result.outcome != check::Outcome::passed)
+    if (const std::string hint = pages::look_at(result); !hint.empty() && result.outcome != check::Outcome::passed)
         draw_hint(hint);
     ImGui::Unindent();
 }
@@ -104,8 +102,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         if (ImGui::SmallButton("edit")) wish.edit = {task.file, line_of(task)};
         ImGui::PopID();
         tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
-        const std::string mistake = checks.mistake(task);
-        if (!mistake.empty()) draw_hint(mistake);
+        if (const std::string hint = checks.hint(task); !hint.empty()) draw_hint(hint);
         for (size_t i = 0; i < manifest.checks.size(); ++i) {
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
@@ -116,7 +113,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
                             ImGui::GetStyle().ItemSpacing.x);
             const bool is_chosen = check.name == chosen;
             if (wrapped_selectable(check.name, is_chosen)) wish.check = is_chosen ? "" : check.name;
-            if (is_chosen && result) draw_result(check, *result, mistake);
+            if (is_chosen && result) draw_result(check, *result);
         }
     }
 }

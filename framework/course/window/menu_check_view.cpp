@@ -80,7 +80,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
         quiet_text("This check has not been run yet.");
     else
         colored_text(result->outcome == check::Outcome::passed ? good
-                     : result->outcome == check::Outcome::unfinished || result->outcome == check::Outcome::waiting
+                     : result->outcome <= check::Outcome::waiting || result->outcome == check::Outcome::unfinished
                          ? amber
                          : alarm,
                      pages::outcome_words(result->outcome) + ": " + result->found);

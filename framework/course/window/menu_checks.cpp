@@ -7,16 +7,19 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
 
 namespace relief::window {
 namespace fs = std::filesystem;
 
+constexpr double longest_check = 5;  // seconds of processor time; a check takes less than one
+
 void Checks::open(const LabEntry& lab, const Manifest& manifest) {
     lab_ = &lab;
     manifest_ = manifest;
     checker_.emplace(lab, manifest_);
-    mistakes_.clear();
+    hints_.clear();
     results_.assign(manifest_.checks.size(), {});
     expected_.assign(manifest_.checks.size(), {});
     waiting_.assign(manifest_.checks.size(), true);
@@ -49,7 +52,7 @@ bool Checks::look() {
     seen_ = last_look_;
     checker_.emplace(*lab_, manifest_);  // it has cached the lab's old shaders
     waiting_.assign(manifest_.checks.size(), true);
-    mistakes_.clear();
+    hints_.clear();
     ++version_;
     return true;
 }
@@ -58,10 +61,12 @@ bool Checks::pending() const { return std::find(waiting_.begin(), waiting_.end()
 
 void Checks::run_next(const std::string& first) {
     if (!pending()) return;
-    auto i = size_t(std::find(waiting_.begin(), waiting_.end(), true) - waiting_.begin());
+    const std::vector<size_t> order = check::checks_in_order(manifest_);
+    size_t i = *std::find_if(order.begin(), order.end(), [&](size_t k) { return waiting_[k]; });
     for (size_t k = 0; k < waiting_.size(); ++k)
         if (waiting_[k] && manifest_.checks[k].name == first) i = k;
     waiting_[i] = false;
+    const double begin = os::processor_seconds();
     const CheckInfo& check = manifest_.checks[i];
     ++version_;
     try {
@@ -73,15 +78,31 @@ void Checks::run_next(const std::string& first) {
                 expected_[i] = expected;
         }
         results_[i] = checker_->run(i, expected);
+        check::tell_unproven(*lab_, check, *results_[i]);
     } catch (const std::exception& error) {  // rendering the expected picture, which a student's file can break
-        results_[i] = check::CheckResult{.check = &check, .outcome = check::Outcome::broken, .found = error.what()};
+        results_[i] = check::Verdict{check::Outcome::broken, error.what()};
     }
+    // The window does not answer while a check runs.
+    if (const double seconds = os::processor_seconds() - begin; seconds > longest_check)
+        for (size_t k = 0; k < waiting_.size(); ++k)
+            if (waiting_[k] && (manifest_.checks[k].task == check.task || manifest_.checks[k].depends_on(check.task))) {
+                check::Verdict late{check::Outcome::out_of_time,
+                                    fmt::format("not tried, because '{}' took {:.0f} seconds: does a loop not end?",
+                                                check.name, seconds)};
+                checker_->keep(k, {late});
+                results_[k] = std::move(late);
+                waiting_[k] = false;
+            }
     if (pending()) return;
-    check::Advice advice = checker_->advice();
-    for (size_t k = 0; k < results_.size(); ++k) advice.apply(k, *results_[k]);
-    mistakes_ = std::move(advice.mistakes);
-    for (const auto& [task, hint] : mistakes_)
-        print_event(fmt::format("task {}, look at: {}", task, without_backticks(hint)));
+    for (check::TaskVerdict& task : checker_->tasks()) {
+        for (check::Verdict& said : task.checks) {
+            check::tell_unproven(*lab_, manifest_.checks[said.index], said);
+            results_[said.index] = std::move(said);
+        }
+        if (task.hint.empty()) continue;
+        print_event(fmt::format("task {}, look at: {}", task.id, without_backticks(task.hint)));
+        hints_[task.id] = std::move(task.hint);
+    }
     print_event("checks: " + points());
 }
 
@@ -91,35 +112,36 @@ size_t Checks::count() const {
 }
 
 TaskState Checks::state(const TaskInfo& task) const {
-    bool all = true, waiting = false, unfinished = false, wrong = false;
+    bool all = true, waiting = false, unfinished = false, wrong = false, blocked = false;
     for (size_t i = 0; i < results_.size(); ++i) {
         if (manifest_.checks[i].task != task.id) continue;
         waiting |= !results_[i];
         if (!results_[i]) continue;
         unfinished |= results_[i]->outcome == check::Outcome::unfinished;
         wrong |= results_[i]->outcome > check::Outcome::waiting;
+        blocked |= results_[i]->outcome == check::Outcome::waiting;
         all &= results_[i]->outcome == check::Outcome::passed;
     }
     return waiting      ? TaskState::waiting
            : all        ? TaskState::passed
            : unfinished ? TaskState::unfinished
            : wrong      ? TaskState::wrong
-                        : TaskState::blocked;
+           : blocked    ? TaskState::blocked
+                        : TaskState::unproven;
 }
 
-check::TaskResult Checks::of(const TaskInfo& task) const {
-    check::TaskResult whole{&task, {}};
+check::TaskVerdict Checks::of(const TaskInfo& task) const {
+    check::TaskVerdict whole = check::unjudged(task);
     for (size_t i = 0; i < results_.size(); ++i) {
         if (manifest_.checks[i].task != task.id) continue;
-        check::CheckResult& check = whole.checks.emplace_back();
-        check.check = &manifest_.checks[i], check.outcome = check::Outcome::unfinished;
+        check::Verdict& check = whole.checks.emplace_back(check::Verdict{check::Outcome::unfinished});
         if (results_[i]) check.outcome = results_[i]->outcome, check.waits_for = results_[i]->waits_for;
     }
     return whole;
 }
 
-std::vector<check::TaskResult> Checks::tasks() const {
-    std::vector<check::TaskResult> all;
+std::vector<check::TaskVerdict> Checks::tasks() const {
+    std::vector<check::TaskVerdict> all;
     for (const TaskInfo& task : manifest_.tasks) all.push_back(of(task));
     return all;
 }
@@ -128,13 +150,13 @@ std::string Checks::points() const { return check::points_text(tasks()); }
 
 double Checks::share() const {
     double earned = 0;
-    for (const check::TaskResult& task : tasks()) earned += task.points();
+    for (const check::TaskVerdict& task : tasks()) earned += task.points();
     return manifest_.points() > 0 ? earned / manifest_.points() : 0;
 }
 
-std::string Checks::mistake(const TaskInfo& task) const {
-    const auto found = mistakes_.find(task.id);
-    return found == mistakes_.end() ? "" : found->second;
+std::string Checks::hint(const TaskInfo& task) const {
+    const auto found = hints_.find(task.id);
+    return found == hints_.end() ? "" : found->second;
 }
 
 }  // namespace relief::window

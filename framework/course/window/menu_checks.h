@@ -12,7 +12,8 @@
 namespace relief::window {
 
 /// Progress of a task. `waiting`: not all checks have run. `blocked`: none fails, but some wait for other tasks.
-enum class TaskState { waiting, passed, wrong, unfinished, blocked };
+/// `unproven`: none fails or waits, but some are check::Outcome::unproven.
+enum class TaskState { waiting, passed, wrong, unfinished, blocked, unproven };
 
 class Checks {
 public:
@@ -43,7 +44,7 @@ public:
     const Manifest& manifest() const { return manifest_; }
     /// Returns the result of a check, indexed in the manifest's order. Empty before the first run. The old result stays
     /// until the check has run again.
-    const std::optional<check::CheckResult>& result(size_t check) const { return results_[check]; }
+    const std::optional<check::Verdict>& result(size_t check) const { return results_[check]; }
     /// Returns whether the check has yet to run, so that result() is out of date.
     bool waits(size_t check) const { return waiting_[check]; }
     /// Returns the number of checks with a result.
@@ -51,14 +52,14 @@ public:
     bool is_whole() const { return count() == results_.size(); }
     TaskState state(const TaskInfo& task) const;
     /// Its checks without their pictures; one that has not run yet is unfinished.
-    check::TaskResult of(const TaskInfo& task) const;
+    check::TaskVerdict of(const TaskInfo& task) const;
     /// Returns the points of the lab, as `relief check` prints them.
     std::string points() const;
     /// The earned points as a share of all, 0 to 1. 0 if the lab has no points.
     double share() const;
     /// Returns the hint of the known mistake that the task's pictures show. Empty if none is known, or if some checks
     /// have not run.
-    std::string mistake(const TaskInfo& task) const;
+    std::string hint(const TaskInfo& task) const;
     /// Grows with each run of a check and each change. Anything derived from a result is valid as long as it stays the
     /// same.
     int version() const { return version_; }
@@ -67,15 +68,15 @@ public:
     const std::string& to_build() const { return to_build_; }
 
 private:
-    std::vector<check::TaskResult> tasks() const;
+    std::vector<check::TaskVerdict> tasks() const;
 
     const LabEntry* lab_ = nullptr;
     Manifest manifest_;
     std::optional<check::LabChecker> checker_;
-    std::vector<std::optional<check::CheckResult>> results_;
+    std::vector<std::optional<check::Verdict>> results_;
     std::vector<std::optional<Image>> expected_;  ///< pictures that do not depend on a student's files
     std::vector<bool> waiting_;
-    std::map<std::string, std::string> mistakes_;  ///< by task
+    std::map<std::string, std::string> hints_;  ///< of known mistakes, by task
     int version_ = 0;
     Files seen_, last_look_;
     std::string to_build_;

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "framework/core/base/file.h"
+#include "framework/core/base/folded_text.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
@@ -21,7 +22,7 @@ std::filesystem::path whole_path(const std::filesystem::path& file) {
     return file.is_absolute() ? file : course_root() / file;
 }
 
-void draw_source(const std::vector<std::string>& lines, int first, int wrong) {
+void draw_source(const std::vector<std::string>& lines, int first, int wrong, const std::string& mark) {
     push_font(font(FontRole::code));
     for (size_t i = 0; i < lines.size(); ++i) {
         const int number = first + int(i);
@@ -34,23 +35,34 @@ void draw_source(const std::vector<std::string>& lines, int first, int wrong) {
         ImGui::PushStyleColor(ImGuiCol_Text, number == wrong ? ImGui::GetStyle().Colors[ImGuiCol_Text] : quiet);
         text(line);
         ImGui::PopStyleColor();
+        if (number == wrong && !mark.empty()) text(std::string(7, ' ') + mark);
     }
     ImGui::PopFont();
 }
 
 }  // namespace
 
-void ErrorBox::read(const Place& place) {
-    lines_.clear();
+void ErrorBox::read(const Error& error) {
+    const Place& place = error.place();
+    const FoldedText parts = unfolded_text(error.details());
+    lines_.clear(), mark_.clear(), details_.clear();
+    folded_ = parts.folded;
+    std::vector<std::string> details = split(parts.shown, '\n');
+    const auto is_mark = [](const std::string& line) { return line.find_first_not_of(' ') + 1 == line.size(); };
+    if (place.line > 0 && details.size() > 1 && details[1].ends_with('^') && is_mark(details[1]))
+        mark_ = details[1].substr(4);
+    // The box shows the quoted line among its neighbours, with the mark below it.
+    if (place.line > 0 && details[0].starts_with("    "))
+        details.erase(details.begin(), details.begin() + (mark_.empty() ? 1 : 2));
+    details_ = join(details, "\n");
+    while (details_.ends_with('\n')) details_.pop_back();
     if (place.line <= 0) return;
     try {
-        const std::vector<std::string> all = split(read_file(whole_path(place.file), size_t{1} << 20), '\n');
+        const std::vector<std::string> all = split(read_source(whole_path(place.file)), '\n');
         first_ = std::max(1, place.line - around);
         for (int line = first_; line <= std::min(int(all.size()), place.line + around); ++line) {
-            std::string text = all[size_t(line - 1)];
-            for (size_t tab = text.find('\t'); tab != std::string::npos; tab = text.find('\t'))
-                text.replace(tab, 1, "    ");
-            lines_.push_back(text);
+            const std::string text = marked_line(all[size_t(line - 1)], std::string::npos);
+            lines_.push_back(text.substr(4, text.size() - 5));  // without indent and line end
         }
     } catch (const Error&) {  // a missing file: the error itself says so
     }
@@ -59,7 +71,7 @@ void ErrorBox::read(const Place& place) {
 void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWish& wish) {
     const Error* const error = stage.error();
     if (!error) return shown_.clear();
-    if (shown_ != error->what()) read(error->place()), shown_ = error->what();
+    if (shown_ != error->what()) read(*error), shown_ = error->what();
     const float margin = 16 * scale;
     const float width = std::max(100.0f, float(picture.size.x) - 2 * margin);
     ImGui::SetNextWindowPos({float(picture.at.x) + margin, float(picture.at.y) + margin});
@@ -69,8 +81,16 @@ void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWis
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     colored_text(alarm, error->what());
-    if (!lines_.empty()) draw_source(lines_, first_, error->place().line);
-    if (const std::string rest = error->more_details(); !rest.empty()) wrapped(rest);
+    if (!lines_.empty()) draw_source(lines_, first_, error->place().line, mark_);
+    if (!details_.empty()) {
+        push_font(font(FontRole::code));
+        wrapped(details_);
+        ImGui::PopFont();
+    }
+    if (!folded_.empty() && ImGui::TreeNode("folded", "%s", more_messages(folded_.size()).c_str())) {
+        for (const std::string& message : folded_) wrapped(message);
+        ImGui::TreePop();
+    }
     quiet_text(stage.lab() ? "Fix the shader and save it: it reloads at once. After any other change press R."
                            : "Fix it, then press R.");
     if (!error->place().file.empty() && ImGui::Button("Open in the editor (Ctrl+E)")) wish.edit = error->place();

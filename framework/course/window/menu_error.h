@@ -19,11 +19,14 @@ public:
     void draw(const Box& picture, float scale, const Stage& stage, MenuWish& wish);
 
 private:
-    void read(const Place& place);
+    void read(const Error& error);
 
     std::string shown_;  ///< the error whose source lines are loaded
     std::vector<std::string> lines_;
-    int first_ = 0;  ///< number of the first line, from 1
+    std::string mark_;                 ///< stands below the line of the error
+    std::string details_;              ///< the error's details without the line and its mark
+    std::vector<std::string> folded_;  ///< a compiler's other messages
+    int first_ = 0;                    ///< number of the first line, from 1
 };
 
 }  // namespace relief::window

@@ -3,11 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <system_error>
+#include <thread>
 
+#include "framework/core/base/cancel.h"
+#include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/own_picture.h"
 #include "framework/core/image/visualize.h"
+#include "framework/core/kit/made_map.h"
+#include "framework/core/kit/obj_scene.h"
+#include "framework/core/kit/own_mesh.h"
 #include "framework/course/pages/comparison.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
@@ -48,24 +57,6 @@ void draw_heat_scale(const std::vector<std::string>& marks, float width) {
     }
 }
 
-void ErrorMap::forget() {
-    done_ = false;
-    picture_.reset(), compared_.reset();
-    tiles_.clear();
-    message_.clear();
-}
-
-void ErrorMap::compute(Stage& stage) {
-    forget();
-    done_ = true;
-    try {
-        compare(stage);
-    } catch (const std::exception& error) {  // includes exceptions from a lab: the window stays open
-        message_ = error.what();
-        print_event("error map: " + message_);
-    }
-}
-
 namespace {
 
 /// Returns the words of the stage's picture. A probe has none. Then draws the picture small: only the places matter.
@@ -91,49 +82,217 @@ std::string sentence(std::string text) {
     return text + ".";
 }
 
+/// Visits the values of a lab's knobs in their order.
+class KnobValues : public Knobs {
+public:
+    void slider(const char*, float& value, float, float, const char*) override { visit(value); }
+    void steps(const char*, int& value, int, int, const char*) override { visit(value); }
+    void toggle(const char*, bool& value, const char*) override { visit(value); }
+    void choice(const char*, int& value, std::span<const char* const>, const char*) override { visit(value); }
+    void choice_or_file(const char*, int& value, OwnFile& own, std::span<const char* const> names,
+                        const char*) override {
+        visit(value);
+        if (size_t(value) >= names.size()) visit_file(own);
+    }
+
+private:
+    virtual void visit(float& value) = 0;
+    virtual void visit(int& value) = 0;
+    virtual void visit(bool& value) = 0;
+    virtual void visit_file(OwnFile& own) = 0;
+};
+
+/// The values of a lab's knobs, bit for bit, and its files.
+class ReadKnobs final : public KnobValues {
+public:
+    explicit ReadKnobs(Lab& lab) { lab.knobs(*this); }
+    std::vector<double> values;  ///< a double holds each float and each int exactly
+    std::vector<const OwnFile*> files;
+
+private:
+    void visit(float& value) override { values.push_back(double(value)); }
+    void visit(int& value) override { values.push_back(value); }
+    void visit(bool& value) override { values.push_back(value); }
+    void visit_file(OwnFile& own) override { files.push_back(&own); }
+};
+
+/// Sets the knobs of a lab to values, and reads files by their names.
+class WriteKnobs final : public KnobValues {
+public:
+    WriteKnobs(Lab& lab, const std::vector<double>& values, const std::vector<std::filesystem::path>& files)
+        : values_(values), files_(files) {
+        lab.knobs(*this);
+    }
+
+private:
+    void visit(float& value) override { value = float(values_.at(next_value_++)); }
+    void visit(int& value) override { value = int(values_.at(next_value_++)); }
+    void visit(bool& value) override { value = values_.at(next_value_++) != 0; }
+    void visit_file(OwnFile& own) override { own.read(files_.at(next_file_++)); }
+
+    const std::vector<double>& values_;
+    const std::vector<std::filesystem::path>& files_;
+    size_t next_value_ = 0, next_file_ = 0;
+};
+
+bool have_same_contents(const OwnFile& one, const OwnFile& other) {
+    const auto same_mesh = [](const Mesh& a, const Mesh& b) {
+        return a.indices == b.indices && std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                                                    b.vertices.end(), [](const Vertex& v, const Vertex& w) {
+                                                        return v.position == w.position && v.normal == w.normal &&
+                                                               v.uv == w.uv;
+                                                    });
+    };
+    if (const auto* const picture = dynamic_cast<const OwnPicture*>(&one))
+        return picture->image().values == dynamic_cast<const OwnPicture&>(other).image().values;
+    if (const auto* const mesh = dynamic_cast<const OwnMesh*>(&one))
+        return same_mesh(mesh->mesh(), dynamic_cast<const OwnMesh&>(other).mesh());
+    if (const auto* const model = dynamic_cast<const OwnObj*>(&one))
+        return same_mesh(model->model().mesh, dynamic_cast<const OwnObj&>(other).model().mesh);
+    return false;
+}
+
 }  // namespace
 
-void ErrorMap::compare(Stage& stage) {
-    if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
-    Shot shot = stage.shot();
-    std::vector<ProbeInfo> probes = stage.manifest().probes;
-    if (shot.probe) {
-        probes = {stage.manifest().probe(shot.probe.name)};
-    } else {
-        // For a picture, prefer the probe by which the lab's page compares methods.
-        const auto& compare = stage.manifest().compare;
-        const std::string chief = compare ? compare->shot.probe.name : "";
-        std::stable_partition(probes.begin(), probes.end(), [&](const ProbeInfo& one) { return one.name == chief; });
+/// Exact values, computed on a thread by another object of the stage's lab. It reads the user's files again, because
+/// the thread may not touch the stage's lab.
+struct ErrorMap::Work {
+    const LabEntry& entry;
+    const Shot settings;
+    Frame frame;
+    std::vector<ProbeInfo> probes;
+    std::vector<double> values;
+    std::vector<std::filesystem::path> files = {};
+    Image paint = {};
+    std::unique_ptr<Lab> lab = {};
+    std::atomic<bool> cancelled = false, ended = false;
+    // Results, once it has ended: the exact values of probes.front(), or why there are none.
+    std::optional<Image> exact = {};
+    std::string failure = {};
+    std::thread thread = {};
+
+    explicit Work(const Stage& stage)
+        : entry(stage.entry()), settings(stage.settings()), frame(stage.frame()), probes(stage.manifest().probes) {
+        if (frame.probe) {
+            probes = {stage.manifest().probe(frame.probe.name)};
+        } else {
+            // For a picture, prefer the probe by which the lab's page compares methods.
+            const auto& compare = stage.manifest().compare;
+            const std::string chief = compare ? compare->shot.probe.name : "";
+            std::stable_partition(probes.begin(), probes.end(),
+                                  [&](const ProbeInfo& one) { return one.name == chief; });
+        }
+        const ReadKnobs knobs(*stage.lab());
+        values = knobs.values;
+        for (const OwnFile* const file : knobs.files) files.push_back(file->file());
+        if (auto* const from = dynamic_cast<Paintable*>(stage.lab())) paint = from->paint_layer().values();
     }
-    const Target target(TargetKind::probe, shot.size);
-    for (const ProbeInfo& probe : probes) {
-        shot.probe = {probe.name};
-        const Frame frame = frame_of(shot, target);
-        const std::optional<Image> truth = stage.lab()->truth(frame, shot.probe);
-        if (!truth) continue;
-        draw_lab(*stage.lab(), frame);
-        Image values = target.read();
-        const Image error = error_image(values, *truth, probe.error);
-        error_ = summarize(error);
-        const std::string nothing = nothing_to_compare(values, *truth, error_);
-        if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
-            throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
-        one_sided_ = one_sided(values, *truth).count();
-        const double scale = pages::error_map_max(error_.p99);
-        Image shown = error;
-        mark_one_sided(shown, values, *truth, scale);
-        compared_ = {probe, std::move(values), *truth, error};
-        tiles_ = tile_means(words_of(stage), error);
-        picture_.emplace(
-            "error map", [&] { return pages::error_map(scale, shown); },
-            TextureOptions{.wrap = Wrap::clamp, .mips = false});
-        bind(0, *picture_);  // uploads it now, while `error` is in scope
-        print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
-                                amount_of(error_.mean, probe.unit, 6), plain(error_.rms), plain(error_.p99),
-                                plain(error_.largest), error_.count));
-        return;
+    ~Work() {
+        cancelled = true;
+        if (thread.joinable()) thread.join();
     }
-    throw Error(sentence(no_truth(stage.entry(), stage.settings())));
+
+    void run() noexcept {
+        try {
+            const CancelledBy cancel(cancelled);
+            lab = entry.make();
+            const WriteKnobs written(*lab, values, files);
+            if (auto* const to = dynamic_cast<Paintable*>(lab.get()); to && !paint.values.empty())
+                to->paint_layer().set(std::move(paint));
+            while (!cancelled && !exact && !probes.empty()) {
+                frame.probe = {probes.front().name};
+                exact = lab->truth(frame, frame.probe);
+                if (!exact) probes.erase(probes.begin());
+            }
+            if (!cancelled && !exact) failure = sentence(no_truth(entry, settings));
+        } catch (const Cancelled&) {
+        } catch (const std::exception& error) {  // includes exceptions from a lab: the window stays open
+            failure = error.what();
+        }
+        ended = true;
+    }
+};
+
+ErrorMap::ErrorMap() = default;
+ErrorMap::~ErrorMap() = default;
+
+void ErrorMap::forget() {
+    if (work_) work_->cancelled = true;
+    done_ = false;
+    picture_.reset(), compared_.reset();
+    tiles_.clear();
+    message_.clear();
+}
+
+void ErrorMap::fail(const std::string& message) {
+    done_ = true;
+    message_ = message;
+    print_event("error map: " + message_);
+}
+
+bool ErrorMap::begin(const Stage& stage) {
+    try {
+        if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
+        work_ = std::make_unique<Work>(stage);
+    } catch (const std::exception& error) {
+        fail(error.what());
+        return true;
+    }
+    try {
+        work_->thread = std::thread([work = work_.get()] { work->run(); });
+        print_event(fmt::format("exact values: {}x{}", work_->frame.size.x, work_->frame.size.y));
+    } catch (const std::system_error&) {  // the system has no more threads: use this one
+        work_->run();
+    }
+    return false;
+}
+
+bool ErrorMap::finish(Stage& stage) {
+    if (!work_ || !work_->ended) return false;
+    const std::unique_ptr<Work> work = std::move(work_);
+    if (work->cancelled) print_event("exact values: dropped");
+    // A change that is not drawn yet makes them out of date, too.
+    if (work->cancelled || stage.is_due(stage.size(), stage.shot().time)) return false;
+    try {
+        compare(stage, *work);
+        done_ = true;
+    } catch (const std::exception& error) {
+        fail(error.what());
+    }
+    return true;
+}
+
+void ErrorMap::compare(Stage& stage, const Work& work) {
+    if (!work.exact) throw Error(work.failure);
+    const ReadKnobs ours(*stage.lab()), theirs(*work.lab);
+    for (size_t i = 0; i < ours.files.size(); ++i)
+        if (!have_same_contents(*ours.files[i], *theirs.files.at(i)))
+            throw Error({ours.files[i]->file()}, "has changed since it was loaded: load it again");
+    const ProbeInfo& probe = work.probes.front();
+    const Image& exact = *work.exact;
+    const Target target(TargetKind::probe, work.frame.size);
+    Frame frame = work.frame;
+    frame.target = target.framebuffer();
+    draw_lab(*stage.lab(), frame);
+    Image values = target.read();
+    const Image error = error_image(values, exact, probe.error);
+    error_ = summarize(error);
+    const std::string nothing = nothing_to_compare(values, exact, error_);
+    if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
+        throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
+    one_sided_ = one_sided(values, exact).count();
+    const double scale = pages::error_map_max(error_.p99);
+    Image shown = error;
+    mark_one_sided(shown, values, exact, scale);
+    compared_ = {probe, std::move(values), exact, error};
+    tiles_ = tile_means(words_of(stage), error);
+    picture_.emplace(
+        "error map", [&] { return pages::error_map(scale, shown); },
+        TextureOptions{.wrap = Wrap::clamp, .mips = false});
+    bind(0, *picture_);  // uploads it now, while `error` is in scope
+    print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
+                            amount_of(error_.mean, probe.unit, 6), plain(error_.rms), plain(error_.p99),
+                            plain(error_.largest), error_.count));
 }
 
 void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size) const {

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,27 +18,35 @@ namespace relief::window {
 
 class Stage;
 
-/// Fills a rectangle with the colours of errors, from the least on the left to the largest on the right.
+/// Fills a rectangle with the colours of errors, from the smallest on the left to the largest on the right.
 void draw_heat(ImDrawList& list, ImVec2 low, ImVec2 high);
 /// Draws the colour scale of errors, `width` pixels wide, with evenly spaced marks: two or more.
 void draw_heat_scale(const std::vector<std::string>& marks, float width);
 
+/// Exact values are computed on a thread, so that the window goes on drawing.
 class ErrorMap {
 public:
+    ErrorMap();
+    ~ErrorMap();  // waits for the thread, which ends soon
     bool on() const { return on_; }
     void toggle() {
         on_ = !on_;
         forget();
     }
 
-    /// Call it when the picture has changed: the map is out of date.
+    /// Call it when the picture has changed: the map is out of date, and exact values that are being computed are
+    /// dropped.
     void forget();
-    /// Returns whether compute() has yet to be called for this picture.
-    bool wanted() const { return on_ && !done_; }
-    /// Computes the map of the probe on screen. For a picture, takes the probe by which the lab compares its methods,
-    /// else the first probe with exact values. Takes as long as computing the exact values. An error is shown in place
-    /// of the map.
-    void compute(Stage& stage);
+    /// Returns whether begin() has yet to be called for this picture. False until a dropped computation has ended.
+    bool wanted() const { return on_ && !done_ && !work_; }
+    /// Returns whether finish() has yet to be called.
+    bool computes() const { return work_ != nullptr; }
+    /// Begins to compute the exact values of the probe on screen. For a picture, takes the probe by which the lab
+    /// compares its methods, else the first probe with exact values. Returns whether there is anything new to show: an
+    /// error, in place of the map.
+    bool begin(const Stage& stage);
+    /// Makes the map once the exact values are there. Returns whether there is anything new to show.
+    bool finish(Stage& stage);
 
     /// Inputs of the map on screen. All images have the size of the picture.
     struct Compared {
@@ -48,14 +57,17 @@ public:
 
     /// Draws it with its upper left corner at `at`.
     void draw(glm::ivec2 at, glm::ivec2 size) const;
-    /// Draws what both halves show, below them. With `moves` the picture is animated, so there is no map.
+    /// Draws a caption below both halves. With `moves` the picture is animated, so there is no map.
     void draw_legend(const Box& box, const std::string& probe, bool moves) const;
 
 private:
-    void compare(Stage& stage);
+    struct Work;
+    void compare(Stage& stage, const Work& work);
+    void fail(const std::string& message);
     void draw_notes() const;
 
     bool on_ = false, done_ = false;
+    std::unique_ptr<Work> work_;
     std::string message_;
     std::optional<Compared> compared_;
     ErrorSummary error_;

@@ -81,6 +81,11 @@ pages::Spans in_bold(pages::Spans spans) {
 void Handout::open(const LabEntry& lab) {
     close();
     open_ = to_top_ = true;
+    try {
+        sources_ = pages::load_sources();
+    } catch (const Error&) {
+        sources_.clear();  // then the list of sources names what is missing
+    }
     file_ = course_root() / "labs" / lab.folder / "README.md";
     look();
 }
@@ -98,7 +103,7 @@ bool Handout::look() {
         std::error_code ignored;
         if (!std::filesystem::exists(file_, ignored))
             throw Error("This lab has no handout: there is no " + shown(file_) + ".");
-        text_ = read_file(file_, size_t{1} << 20);
+        text_ = pages::with_sources(read_file(file_, size_t{1} << 20), sources_, file_);
         problem_.clear();
     } catch (const Error& error) {
         text_.clear();

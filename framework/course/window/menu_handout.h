@@ -11,6 +11,7 @@
 #include "framework/core/lab/registry.h"
 #include "framework/course/pages/formula.h"
 #include "framework/course/pages/markdown.h"
+#include "framework/course/pages/sources.h"
 #include "framework/course/window/menu_layout.h"
 #include "framework/course/window/menu_picture.h"
 #include "framework/course/window/menu_style.h"
@@ -45,6 +46,7 @@ private:
     float scroll_ = 0;
     std::filesystem::path file_;
     std::string text_, problem_;
+    std::vector<pages::Source> sources_;
     std::vector<pages::Block> blocks_;
     std::map<const pages::Block*, std::vector<std::vector<pages::FormulaCell>>> formulas_;  ///< of formula blocks
     std::vector<KnobText> knobs_;

@@ -29,6 +29,8 @@ Sign sign_of(TaskState state) {
             return {"\u2026", "is not written yet", amber};
         case TaskState::blocked:
             return {"\u2026", "waits for another task that is not written or not right", amber};
+        case TaskState::unproven:
+            return {"\u2026", "has a check without a reference to compare with", amber};
         case TaskState::waiting:
             break;
     }

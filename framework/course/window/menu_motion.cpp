@@ -13,7 +13,7 @@ namespace {
 constexpr double degrees_per_second = 30, seconds_per_range = 8;
 constexpr double longest_step = 0.2;  // seconds: a slow frame must not jump
 
-/// Moves one slider on. At the end of its range it turns round; a full turn of 360 degrees begins anew.
+/// Moves one slider on. At the end of its range it turns round; a full turn of 360 degrees begins again.
 class MoveSlider final : public Knobs {
 public:
     MoveSlider(const std::string& name, double seconds, double& direction)

@@ -18,6 +18,10 @@ namespace relief::window {
 namespace {
 
 constexpr double patience = 100;  // milliseconds
+/// A tiny picture has this part of the frame's width and height. If it takes `quick` milliseconds or less, the frame
+/// takes seconds. A frame of more than `longest_frame` seconds is not drawn.
+constexpr int tiny = 16;
+constexpr double quick = 60, longest_frame = 20;
 
 /// Ends a draw that compiles.
 struct Pause {};
@@ -32,7 +36,7 @@ void Stage::open(const LabEntry& entry, const Shot* start) {
     lab_.reset();
     keep_as_backdrop();
     values_.reset();
-    prepared_ = drawn_ = false, pauses_ = 0;
+    prepared_ = tried_ = drawn_ = false, pauses_ = 0;
     entry_ = &entry;
     manifest_ = {};
     defaults_.clear();
@@ -120,7 +124,7 @@ bool Stage::look() {
     ShaderNews news = renew_programs();
     shader_failure_ = std::move(news.error);
     if (!news.changed) return false;
-    stale_ = true;
+    stale_ = true, tried_ = false;
     if (shader_failure_)
         print_error(shader_failure_->what());
     else
@@ -142,6 +146,14 @@ bool Stage::is_due(glm::ivec2 size, double time) const {
 bool Stage::draw(glm::ivec2 size, double time) {
     if (!is_due(size, time)) return false;
     if (!prepared_ && !prepare(size, time)) return false;
+    if (!std::exchange(tried_, true)) {
+        if (!is_bearable(size, time)) {
+            tried_ = stale_ = false, drawn_ = true;  // tries again after the next change
+            shot_.size = size, shot_.time = time;
+            return true;
+        }
+        if (!drawn_ && pauses_ > 0 && !shot_.probe && draw_backdrop(size, time)) return false;
+    }
     stale_ = false, drawn_ = true;
     failure_.reset();
     shot_.size = size, shot_.time = time;
@@ -176,37 +188,74 @@ bool Stage::draw(glm::ivec2 size, double time) {
 }
 
 // A program is compiled in two steps: when it is linked, and by a software renderer also in its first draw call, which
-// takes up to seconds. So the first picture is drawn small, and again after each pause, until nothing is compiled.
+// takes up to seconds. So the first picture is drawn tiny, and again after each pause, until nothing is compiled.
 bool Stage::prepare(glm::ivec2 size, double time) {
-    Shot shot = shot_;
-    shot.size = glm::max(size / 4, glm::ivec2(1)), shot.time = time;
     auto last = std::chrono::steady_clock::now();
     int64_t links = counters().links;
     double compiling = 0;  // milliseconds
     try {
-        Target small(shot.probe ? TargetKind::probe : TargetKind::picture, shot.size);
         const DrawWatch watch([&](const std::function<void()>& draw_call) {
             draw_call();
-            // Pauses only after new work: what an earlier attempt compiled is not compiled again.
+            // Pauses only after new work: programs of an earlier attempt are not compiled again.
             if (std::exchange(links, counters().links) < counters().links) compiling += milliseconds_since(last);
             if (compiling > patience) throw Pause();
             last = std::chrono::steady_clock::now();
         });
-        const WithoutWords without_words;
-        draw_lab(*lab_, frame_of(shot, small));
-        prepared_ = true;
-        if (pauses_ == 0 || shot.probe) return true;
-        drop_backdrop();
-        backdrop_target_ = std::move(small);
-        backdrop_ = {backdrop_target_->resolve(), shot.size};
-        print_event(fmt::format("small picture of {}", entry_->folder));
-        return false;
+        draw_part(size / tiny, time);
+        return prepared_ = true;
     } catch (const Pause&) {
         ++pauses_;
         print_event(fmt::format("pause {}: {}, compiling", pauses_, entry_->folder));
         return false;
     } catch (const std::exception&) {  // drawing the frame reports it
         return prepared_ = true;
+    }
+}
+
+/// Draws the frame in another size. Returns its target.
+Target Stage::draw_part(glm::ivec2 size, double time) {
+    Shot shot = shot_;
+    shot.size = glm::max(size, glm::ivec2(1)), shot.time = time;
+    Target target(shot.probe ? TargetKind::probe : TargetKind::picture, shot.size);
+    const WithoutWords without_words;
+    draw_lab(*lab_, frame_of(shot, target));
+    return target;
+}
+
+// A software renderer leaves an endless loop after 65,536 rounds, in each pixel: a frame then takes minutes, in which
+// the window does not answer. Two sizes tell what each pixel costs, whatever is drawn once for all of them.
+bool Stage::is_bearable(glm::ivec2 size, double time) {
+    const auto time_of = [&](int part) {
+        const auto begin = std::chrono::steady_clock::now();
+        draw_part(size / part, time);
+        glFinish();
+        return milliseconds_since(begin);
+    };
+    try {
+        // The first drawing also compiles.
+        if (time_of(tiny) < quick || time_of(tiny) < quick) return true;
+        const double less = time_of(tiny), more = time_of(tiny / 2);
+        const double seconds = (more - less) * tiny * tiny / 3 / 1000;
+        if (seconds < longest_frame) return true;
+        fail(Error(
+            fmt::format("the picture would take {:.0f} seconds, so it is not drawn: does a loop not end?", seconds)));
+        return false;
+    } catch (const std::exception&) {  // drawing the frame reports it
+        return true;
+    }
+}
+
+/// Draws a small picture to show until there is a frame. Returns whether there is one.
+bool Stage::draw_backdrop(glm::ivec2 size, double time) {
+    try {
+        Target small = draw_part(size / 4, time);
+        drop_backdrop();
+        backdrop_target_ = std::move(small);
+        backdrop_ = {backdrop_target_->resolve(), backdrop_target_->size()};
+        print_event(fmt::format("small picture of {}", entry_->folder));
+        return true;
+    } catch (const std::exception&) {  // drawing the frame reports it
+        return false;
     }
 }
 

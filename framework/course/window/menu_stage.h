@@ -104,6 +104,9 @@ private:
     void fail(const Error& error);
     GLuint draw_probe(Image picture);
     bool prepare(glm::ivec2 size, double time);
+    Target draw_part(glm::ivec2 size, double time);
+    bool is_bearable(glm::ivec2 size, double time);
+    bool draw_backdrop(glm::ivec2 size, double time);
     void keep_as_backdrop();
     void drop_backdrop();
 
@@ -126,6 +129,7 @@ private:
     std::optional<ProbePicture> backdrop_probe_;
     std::vector<KnobText> defaults_;
     bool stale_ = true, renewed_ = false, prepared_ = false, drawn_ = false;
+    bool tried_ = false;  ///< whether a tiny picture with these shaders has shown that the frame ends
     int pauses_ = 0;
     int64_t edits_ = 0;
     std::optional<Error> failure_;         ///< from the last frame, or from opening the lab

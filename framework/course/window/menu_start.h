@@ -15,7 +15,7 @@ namespace relief::window {
 class StartPage {
 public:
     bool is_open() const { return open_; }
-    /// Opens the page and marks this lab. Points are computed anew if a file of their lab was saved since.
+    /// Opens the page and marks this lab. Points are computed again if a file of their lab was saved since.
     void open(const LabEntry& marked);
     void close() { open_ = false; }
 

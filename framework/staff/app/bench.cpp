@@ -6,6 +6,7 @@
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
@@ -89,8 +90,11 @@ public:
             for (measure::BenchRow& row : measure::open_rows(topic, scene)) rows_.push_back(std::move(row));
     }
 
-    measure::BenchMachine machine{
-        .cpu = measure::cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
+    measure::BenchMachine machine{.cpu = measure::cpu_name(),
+                                  .compiler = versions::compiler,
+                                  .commit = versions::commit,
+                                  .load = measure::load_average(),
+                                  .processors = hardware_threads()};
 
     /// Calls `changed` after each new result.
     std::vector<measure::BenchRow> measure(const std::function<void(std::span<const measure::BenchRow>)>& changed) {
@@ -106,6 +110,7 @@ public:
                 changed(rows_);
             };
             run_.report = [&](const std::vector<measure::BenchRow>& rows, const std::string& next) {
+                machine.load = std::max(machine.load, measure::load_average());
                 take_over(rows);
                 progress.next(name + ": " + next);
             };
@@ -233,7 +238,7 @@ int run_bench(const BenchArguments& arguments) {
                                        [](const measure::BenchRow& row) { return !row.is_measured(); }));
         is_plotted = pages::draw_plots(result) && is_plotted;
         if (!result.plot.empty()) write_file(folder / (topic.name + ".svg"), result.plot);
-        fmt::print("{}{}\n\n", measure::bench_table(topic, result.rows), file.string());
+        fmt::print("{}{}\n\n", measure::bench_table(topic, result.rows, result.machine), file.string());
         std::fflush(stdout);
     }
     if (!is_plotted) print_note("no plots: gnuplot is missing (Debian package gnuplot-nox)");

@@ -199,7 +199,7 @@ void name_submissions(const GradeArguments& arguments, grade::ClassOptions& opti
         const auto roster = grade::read_roster(options.output);
         if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
         for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
-        for (const grade::Roster::One& one : roster->submissions) options.submissions.push_back(one.path);
+        options.submissions = roster->given;
     } else {
         if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
         options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
@@ -271,10 +271,9 @@ void bring_pages_of_parts(const grade::ClassReport& report, const fs::path& fold
                         pages::write_page(folder / file, read_file(part / file));
 }
 
-/// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first, so that a mistake in
-/// it is reported before hours of grading.
-void prepare_class_file(const GradeArguments& arguments, const fs::path& folder, const std::vector<fs::path>& parts,
-                        const std::vector<const LabEntry*>& labs) {
+/// Reads the class file of the command line, else that of the last run into `folder` or of a part.
+grade::ClassFile class_file_for(const GradeArguments& arguments, const fs::path& folder,
+                                const std::vector<fs::path>& parts) {
     const bool is_given = !arguments.class_file.empty();
     fs::path file = arguments.class_file == "none" ? "" : arguments.class_file;
     if (!file.empty() && !fs::is_regular_file(file))
@@ -282,11 +281,18 @@ void prepare_class_file(const GradeArguments& arguments, const fs::path& folder,
     if (!is_given) file = grade::class_file_of(folder);
     for (const fs::path& part : parts)
         if (!is_given && file.empty()) file = grade::class_file_of(part);
-    const grade::ClassFile policy = grade::read_class_file(file, folder);
+    return grade::read_class_file(file, folder);
+}
+
+/// Keeps the class file for write_summaries(). Reads it first, so that a mistake in it is reported before hours of
+/// grading.
+void prepare_class_file(const GradeArguments& arguments, const fs::path& folder, const std::vector<fs::path>& parts,
+                        const std::vector<const LabEntry*>& labs) {
+    const grade::ClassFile policy = class_file_for(arguments, folder, parts);
     for (const LabEntry* lab : labs)
         if (!policy.labs.empty() && !policy.lab(lab->folder))
             throw UsageError(fmt::format("lab {} is not assigned in {}", lab->two_digits(), policy.file.string()));
-    grade::keep_class_file(file, folder);
+    grade::keep_class_file(policy.file, folder);
 }
 
 /// Creates the folder for marks, which only its owner may read. An existing folder keeps its permissions.
@@ -316,6 +322,7 @@ int grade_on_slurm(const GradeArguments& arguments, grade::ClassOptions& options
 /// Writes questions about each submission into the folder `questions`, with the class's seed.
 void ask_class(const grade::ClassOptions& options, const grade::ClassReport& report, int count) {
     QuestionOptions asked{.submissions = options.submissions,
+                          .policy = grade::read_class_file(grade::class_file_of(options.output), options.output),
                           .labs = options.labs,
                           .folder = options.output / "questions",
                           .count = count,
@@ -328,8 +335,7 @@ void ask_class(const grade::ClassOptions& options, const grade::ClassReport& rep
 
 /// Compares the submissions with each other, and grades none.
 int compare_submissions(const GradeArguments& arguments, grade::ClassOptions& options) {
-    for (const auto& [given, option] : {std::pair(!arguments.class_file.empty(), "--class"),
-                                        {!arguments.shard.empty(), "--shard"},
+    for (const auto& [given, option] : {std::pair(!arguments.shard.empty(), "--shard"),
                                         {!arguments.slurm.empty(), "--slurm"},
                                         {arguments.fresh, "--fresh"}})
         if (given)
@@ -337,7 +343,8 @@ int compare_submissions(const GradeArguments& arguments, grade::ClassOptions& op
                 fmt::format("--originality grades nothing, so it takes no {}: grade in a run of its own", option));
     name_submissions(arguments, options);
     std::vector<fs::path> earlier(arguments.earlier.begin(), arguments.earlier.end());
-    const grade::OriginalityReport report = grade::compare_class(options.submissions, earlier, options.labs);
+    const grade::ClassFile policy = class_file_for(arguments, options.output, {});
+    const grade::OriginalityReport report = grade::compare_class(options.submissions, earlier, options.labs, policy);
     make_results_folder(options.output);
     const Descriptor at_work = grade::hold_output(options.output, grade::Hold::alone);
     pages::write_originality(report, options.output);
@@ -347,6 +354,9 @@ int compare_submissions(const GradeArguments& arguments, grade::ClassOptions& op
     fmt::print("{}", grade::originality_table(report));
     fmt::print("{}: {} pairs of submissions compared, {} to look at, in {:.1f} s\n",
                (options.output / "originality.html").string(), report.compared, report.pairs.size(), report.seconds);
+    if (report.of_teams > 0)
+        fmt::print("{} of members of one team share code, and are not listed\n",
+                   amount_of(double(report.of_teams), "pair"));
     fmt::print("Shared code is no proof of anything. Read both texts: a person decides.\n");
     return 0;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
 
 namespace relief::app {
@@ -31,8 +32,9 @@ int make_handout(const std::string& folder, const std::string& labs) {
             fmt::print("left     {}, which is not a folder: nothing is written through a link\n", path);
         if (done.changed_nothing() && done.not_open.empty()) fmt::print("nothing to do: everything is up to date\n");
     }
-    fmt::print("{}: {} labs{}, {} tasks, {} files, {} of them expected pictures\n", folder, report.labs,
-               report.choice == "all" ? "" : " (" + report.choice + ")", report.tasks, report.files, report.expected);
+    fmt::print("{}: {}{}, {}, {} files, {} of them expected pictures\n", folder, amount_of(report.labs, "lab"),
+               report.choice == "all" ? "" : " (" + report.choice + ")", amount_of(report.tasks, "task"), report.files,
+               report.expected);
     return 0;
 }
 

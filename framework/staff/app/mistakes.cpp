@@ -1,5 +1,4 @@
-// relief mistakes: makes a page of all known mistakes, each with its clearest picture and the correct one. Or writes
-// the fingerprints by which `relief check` names mistakes.
+// relief mistakes: makes a page of all known mistakes, each with its clearest picture and the correct one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
-#include "framework/staff/grade/fingerprint_maker.h"
+#include "framework/staff/grade/mistake_pictures.h"
 
 namespace relief::app {
 namespace {
@@ -208,9 +207,11 @@ Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::pa
 pages::Value demands_of(const Manifest& manifest, const std::string& task) {
     pages::List examples;
     for (const ExampleInfo& example : manifest.examples) {
-        if (example.task != task) continue;
+        if (example.task != task || (example.hidden && example.edits.empty())) continue;
         pages::List calls;
-        for (const std::string& call : example.calls) calls.push_back(pages::Fields{{"call", call}});
+        for (const ExampleInfo& one : manifest.examples)  // a hidden one may add calls to a public one
+            if (one.task == task && one.asks == example.asks)
+                for (const std::string& call : one.calls) calls.push_back(pages::Fields{{"call", call}});
         examples.push_back(pages::Fields{{"asks", example.asks}, {"calls", std::move(calls)}});
     }
     if (examples.empty()) return {};
@@ -290,46 +291,17 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     return drawn.failures == 0 ? 0 : 1;
 }
 
-/// Writes the fingerprint files of one lab, or of all if `lab` is empty, by which `relief check` names mistakes.
-int renew_fingerprints(const std::string& lab, ContextChoice choice) {
-    const auto [labs, count] = with_mistakes(lab);
-    pin_software_renderer();
-    const auto context = open_context(choice);
-    if (!is_software_renderer())
-        throw Error("fingerprints are made on Mesa's software renderer, as checks are drawn; this is " +
-                    describe_context().renderer);
-    Progress progress(count);
-    for (const LabEntry* entry : labs) {
-        grade::MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = true});
-        const check::Fingerprints made = grade::make_fingerprints(
-            *entry, pictures, [&](const std::string& id) { progress.next(entry->two_digits() + " " + id); });
-        const fs::path file = check::fingerprints_file(*entry);
-        const std::string text = check::text_of(made, *entry, pictures.manifest());
-        const bool is_same = fs::exists(file) && read_file(file) == text;
-        if (!is_same) write_file(file, text);
-        fmt::print("{}: {}\n", shown(file), is_same ? "the same" : "renewed");
-    }
-    return 0;
-}
-
 class MistakesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, false);
         options.value("-o", "FOLDER", output_, "folder for the page [the course's build/mistakes]");
-        options.flag("--update", update_,
-                     "no page: renew the files by which everybody's `relief check` names mistakes");
         options.value("--context", "NAME", context_, context_help);
     }
-    int run() override {
-        if (update_ && !output_.empty()) throw UsageError("--update writes into the labs' folders: leave out -o");
-        const ContextChoice choice = context_kind(context_);
-        return update_ ? renew_fingerprints(lab_, choice) : show_mistakes(lab_, output_, choice);
-    }
+    int run() override { return show_mistakes(lab_, output_, context_kind(context_)); }
 
 private:
     std::string lab_, output_, context_ = "auto";
-    bool update_ = false;
 };
 RELIEF_COMMAND(MistakesCommand, 15, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
 

@@ -16,6 +16,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
+#include "framework/staff/grade/authorship.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/questions.h"
 #include "framework/staff/pages/question_pages.h"
@@ -84,23 +85,24 @@ private:
     void read() {
         std::set<std::string> wanted;
         for (const auto& [lab, files] : files_) wanted.insert(files.begin(), files.end());
-        std::map<std::string, int> names;
-        for (const fs::path& path : options_.submissions) ++names[grade::file_name_of(grade::submission_name(path))];
-        for (const fs::path& path : options_.submissions) {
-            One one{grade::read_submission(path, wanted), {}};
-            if (names.at(grade::file_name_of(one.submission.name)) > 1)
-                one.submission.problem = "several submissions have this name: keep one, or rename";
-            else
-                for (const LabEntry& lab : registry())
-                    if (const auto files = files_.find(&lab); files != files_.end())
-                        for (const std::string& file : files->second)
-                            if (one.submission.files.contains(file) || one.submission.refused.contains(file)) {
-                                one.labs.push_back(&lab);
-                                break;
-                            }
+        const grade::HandIns hand_ins = grade::hand_ins_of(options_.submissions, options_.policy);
+        for (const grade::HandIn& hand_in : hand_ins.all) {
+            One one{grade::read_submission(hand_in.name, hand_in.parts, wanted), {}};
+            for (const LabEntry& lab : registry())
+                if (const auto files = files_.find(&lab); files != files_.end())
+                    for (const std::string& file : files->second)
+                        if (one.submission.files.contains(file) || one.submission.refused.contains(file)) {
+                            one.labs.push_back(&lab);
+                            break;
+                        }
             if (one.labs.empty() && one.submission.problem.empty())
                 one.submission.problem = "there is no task file in it";
             all_.push_back(std::move(one));
+        }
+        for (const grade::HandIns::Doubled& several : hand_ins.doubled) {
+            One& one = all_.emplace_back();
+            one.submission.name = several.name;
+            one.submission.problem = several.message;
         }
     }
 

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "framework/staff/grade/check_views.h"
+#include "framework/staff/grade/class_file.h"
 
 namespace relief::app {
 
 struct QuestionOptions {
     std::vector<std::filesystem::path> submissions;
+    grade::ClassFile policy = {};       ///< has the roster, to which the submissions are assigned
     std::vector<const LabEntry*> labs;  ///< empty: for each submission the labs whose files it has
     std::filesystem::path folder;       ///< gets sheets/NAME.html, key.html and questions.json
     int count = 0;                      ///< questions for each submission

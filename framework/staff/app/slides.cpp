@@ -48,7 +48,7 @@ Words decks_asked_for(const Words& asked) {
         const auto number = parse_int(word);  // 1 means 01, not a part of 10
         const std::string part = number ? fmt::format("{:02}_", *number) : word;
         for (const std::string& name : all)
-            if (name.find(part) != std::string::npos) found.push_back(name);
+            if (("_" + name).find("_" + part) != std::string::npos) found.push_back(name);  // the beginning of a word
         if (found.empty()) throw UsageError(unknown("deck", word, all));
         if (found.size() > 1)
             throw UsageError(fmt::format("'{}' can be any of these decks: {}", word, join(found, ", ")));
@@ -250,7 +250,7 @@ int make_slides(const SlidesArguments& arguments) {
 class SlidesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.words("DECK", slides_.decks, "a number, a name or any part of one [all]");
+        options.words("DECK", slides_.decks, "a number, a name or the beginning of a word in one [all]");
         options.value("-o", "FOLDER", slides_.output,
                       "folder for the decks [the course's build/slides, or build/slides-with-solutions]");
         options.flag("--solutions", slides_.solutions, "add the slides that show the tasks' solutions");

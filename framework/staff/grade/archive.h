@@ -1,7 +1,6 @@
 // Reads untrusted archives with libarchive. The library is in a module of its own, opened when needed.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,14 +22,12 @@ struct ArchiveEntry {
 };
 
 /// Returns the entries of a zip or tar archive (plain, or compressed by gzip, bzip2, xz or zstd), in order. Writes
-/// nothing to disk. Keeps the content of a file if `wanted(name)` is true and the file has at most `largest` bytes.
-/// Throws Error if the file is not an archive, is damaged, or exceeds the limits above; the error names no file.
-std::vector<ArchiveEntry> read_archive(const std::filesystem::path& path, size_t largest,
-                                       const std::function<bool(const std::string&)>& wanted);
+/// nothing to disk. Keeps the content of a file of at most `largest(name)` bytes; 0: the file is not wanted. Throws
+/// Error if the file is not an archive, is damaged, or exceeds the limits above; the error names no file.
+std::vector<ArchiveEntry> read_archive(int descriptor, const std::function<size_t(const std::string&)>& largest);
 
 }  // namespace relief::grade
 
 /// The module's function; read_archive() calls it.
-extern "C" void relief_read_archive(int descriptor, size_t largest,
-                                    const std::function<bool(const std::string&)>& wanted,
+extern "C" void relief_read_archive(int descriptor, const std::function<size_t(const std::string&)>& largest,
                                     std::vector<relief::grade::ArchiveEntry>& entries);

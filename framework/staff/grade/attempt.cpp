@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 
 #include "framework/staff/grade/submission.h"
@@ -24,7 +25,7 @@ std::string first_error(const std::string& output) {
 }
 
 /// Returns the verdict about the student's code after its process ended early.
-check::Judgement blame(const ProcessResult& result, const std::string& problem) {
+check::Verdict blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
             if (result.stopped)
@@ -33,6 +34,9 @@ check::Judgement blame(const ProcessResult& result, const std::string& problem) 
         case Ending::out_of_memory:
             return {check::Outcome::out_of_memory, "it needs more memory than is allowed"};
         case Ending::crashed:
+            if (result.code == SIGKILL)
+                return {check::Outcome::crashed,
+                        "the program was killed: it ended itself, or the system did because memory ran out"};
             return {check::Outcome::crashed,
                     fmt::format("the program ends with signal {} ({})", result.code, strsignal(result.code))};
         case Ending::too_much_output:
@@ -87,7 +91,7 @@ public:
           known_(known),
           keeps_compiled_(keeps_compiled),
           attempt_(attempt),
-          wall_left_(2 * limits.wall()),
+          wall_left_(limits.wall()),
           cpu_left_(2 * limits.cpu) {}
 
     /// Returns whether the program contains a student's code.
@@ -111,7 +115,8 @@ public:
             cpu_left_ -= std::min(result.wall, limits_.cpu);
             for (check::Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
             if (drawn.phase == check::DrawingPhase::done || from == end) return;
-            const check::Judgement why = blame(result, drawn.problem);
+            check::Verdict why = blame(result, drawn.problem);
+            if (drawn.has_no_memory) why = blame({.ending = Ending::out_of_memory}, {});
             const bool has_context = drawn.phase == check::DrawingPhase::ready;
             // No student's shader runs before there is a context. So the machine is to blame, unless the program itself
             // contains a student's code.
@@ -126,6 +131,7 @@ public:
             if (why.outcome == check::Outcome::out_of_time)
                 ended_ = {why.outcome, "not drawn, since a check before it is out of time: " + why.found};
             if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
+            attempt_.shots[from].ran_out = why.outcome == check::Outcome::out_of_time;
             fail(from, from + 1, why);
             ++from;
         }
@@ -137,7 +143,7 @@ private:
         const check::ShaderReuse reuse{.known = attempt_.compiled.empty() ? known_ : attempt_.compiled,
                                        .returns = keeps_compiled_ || end < shots_.size()};
         ProcessJob job = drawing_job(stage_, course_, check::drawing_request(lab_, shots, renderer_, reuse), limits_);
-        job.limits.wall = std::min(wall_left_, limits_.wall());
+        job.limits.wall = wall_left_;
         job.limits.cpu = std::ceil(std::min(cpu_left_, limits_.cpu));
         job.limits.output = check::drawings_size(shots);
         return job;
@@ -151,7 +157,7 @@ private:
         if (shot.error != place.error && attempt_.log.empty()) attempt_.log = shot.error;
     }
 
-    void fail(size_t begin, size_t end, const check::Judgement& why) {
+    void fail(size_t begin, size_t end, const check::Verdict& why) {
         for (size_t i = begin; i < end; ++i) {
             attempt_.shots[i].outcome = why.outcome;
             attempt_.shots[i].error = why.found;
@@ -167,15 +173,15 @@ private:
     const check::CompiledShaders& known_;
     bool keeps_compiled_;
     Attempt& attempt_;
-    double wall_left_, cpu_left_;            ///< seconds
-    std::optional<check::Judgement> ended_;  ///< why no more shots are drawn
+    double wall_left_, cpu_left_;          ///< seconds
+    std::optional<check::Verdict> ended_;  ///< why no more shots are drawn
 };
 
 /// Returns the verdict about a C++ task whose compilation failed.
-check::Judgement blame(const Compiled& compiled) {
+check::Verdict blame(const Compiled& compiled) {
     if (compiled.ending == Ending::failed)
         return {check::Outcome::machine, "the machine failed: " + message(compiled.message)};
-    check::Judgement why{check::Outcome::broken, message(first_error(compiled.message))};
+    check::Verdict why{check::Outcome::broken, message(first_error(compiled.message))};
     if (compiled.ending != Ending::exited)
         why = blame({.ending = compiled.ending, .code = 1, .wall = compiled.seconds, .stopped = compiled.stopped}, {});
     if (why.found.empty()) why.found = message(compiled.message);
@@ -186,19 +192,22 @@ check::Judgement blame(const Compiled& compiled) {
 
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
                 const check::Renderer& renderer, const AttemptLimits& limits, size_t apart,
-                const check::CompiledShaders& known, bool keeps_compiled) {
+                const check::CompiledShaders& known, bool keeps_compiled, const std::string& alone) {
     Attempt result;
     result.shots.resize(shots.size());
-    StagedCourse course = stage.course(lab, files);
-    const Compiled compiled = stage.compile(lab, course, 3 * limits.cpu, 3 * limits.wall());
+    StagedCourse course = stage.course(lab, files, alone);
+    const Compiled compiled = stage.compile(lab, course, limits.compile_cpu(), limits.wall());
     result.compile = compiled.seconds;
     if (!compiled.message.empty()) {
-        const check::Judgement why = blame(compiled);
+        const check::Verdict why = blame(compiled);
         for (DrawnAttempt& one : result.shots) {
             one.outcome = why.outcome;
             one.error = why.found;
         }
         result.log = printable_lines(compiled.message, longest_log);
+        result.compiles_forever =
+            why.outcome == check::Outcome::out_of_time || why.outcome == check::Outcome::out_of_memory;
+        result.wasted = result.compiles_forever ? compiled.seconds / limits.wall() : 0;
         return result;
     }
     StagedDrawing drawing(stage, lab, course, shots, renderer, limits, known, keeps_compiled, result);
@@ -209,6 +218,9 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     const std::string log = result.log;
     drawing.draw(first, shots.size());
     result.log = log;
+    if (std::any_of(result.shots.begin(), result.shots.end(),
+                    [](const DrawnAttempt& one) { return !one.image && one.outcome == check::Outcome::out_of_time; }))
+        result.wasted = (result.compile + result.draw) / limits.wall();
     if (!keeps_compiled) result.compiled.clear();
     return result;
 }
@@ -217,7 +229,7 @@ check::NotedCalls note_calls(const Stage& stage, const LabEntry& lab, const Cour
                              const std::vector<check::NotedShot>& shots, const check::Renderer& renderer,
                              const AttemptLimits& limits) {
     StagedCourse course = stage.course(lab, files);
-    if (!stage.compile(lab, course, 3 * limits.cpu, 3 * limits.wall()).message.empty())
+    if (!stage.compile(lab, course, limits.compile_cpu(), limits.wall()).message.empty())
         return check::NotedCalls(shots.size());
     std::set<std::string> shaders;
     for (const auto& [file, text] : files)

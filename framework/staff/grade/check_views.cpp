@@ -49,13 +49,13 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
     if (derives_limit_) setup_.seconds = AttemptLimits{}.cpu;
     for (const CheckInfo& check : manifest_.checks) views_.push_back({.own = {check.shot}});
     const CourseFiles files = solution_files(manifest_);
-    solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own, true);
+    solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own, {}, true);
     compiled_ = std::move(solution_.compiled);
     for (size_t i = 0; i < count; ++i) {
         const CheckInfo& check = manifest_.checks[i];
         views_[i].own.expected = expected_in(lab, check, check.shot, solution_.checks[i].own);
         views_[i].own.solution_cpu = solution_.checks[i].own.cpu;
-        if (const check::Judgement said = judge(own(i, solution_)); said.outcome != check::Outcome::passed)
+        if (const check::Verdict said = judge(own(i, solution_)); said.outcome != check::Outcome::passed)
             throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
                                     lab.two_digits(), check.name, name_of(said.outcome), said.found));
     }
@@ -90,7 +90,7 @@ void LabViews::reuse_shaders() {
         files[file] = is_shader(file) ? text + "\n//\n" : text;
     }
     if (has_cpp) std::erase_if(files, [](const auto& file) { return is_shader(file.first); });
-    shared_ = draw(files, std::vector<bool>(views_.size(), true), WhichViews::both, true).compiled;
+    shared_ = draw(files, std::vector<bool>(views_.size(), true), WhichViews::both, {}, true).compiled;
     std::erase_if(shared_, [&](const auto& entry) { return !compiled_.contains(entry.first); });
 }
 
@@ -105,7 +105,7 @@ double LabViews::find_hidden_views(const CourseFiles& solution) {
         const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
         for (CheckViews& views : views_)
             if (!views.own.shot.calls) views.hidden = View{variation.vary(views.own.shot)};
-        DrawnChecks drawn = draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden, true);
+        DrawnChecks drawn = draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden, {}, true);
         compiled_.merge(drawn.compiled);
         keep_passing_views(drawn);
         if (count_hidden(views_) <= count_hidden(best)) continue;
@@ -156,12 +156,13 @@ std::vector<bool> LabViews::with_compared(std::vector<bool> checks) const {
     return all;
 }
 
-DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const {
-    return draw(files, checks, which, false);
+DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
+                           const std::string& alone) const {
+    return draw(files, checks, which, alone, false);
 }
 
 DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
-                           bool keeps_compiled) const {
+                           const std::string& alone, bool keeps_compiled) const {
     DrawnChecks result;
     result.checks.resize(views_.size());
     std::vector<Shot> shots;
@@ -193,10 +194,12 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
                                ? std::max(least_limit, setup_.seconds * std::min(1.0, cpu / solution_cpu_))
                                : setup_.seconds;
     Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {seconds, setup_.memory}, public_count,
-                            shared_, keeps_compiled);
+                            shared_, keeps_compiled, alone);
     for (size_t i = 0; i < places.size(); ++i) *places[i] = std::move(drawn.shots[i]);
     result.compile = drawn.compile;
     result.draw = drawn.draw;
+    result.wasted = drawn.wasted;
+    result.compiles_forever = drawn.compiles_forever;
     result.cpu = drawn.cpu;
     result.log = std::move(drawn.log);
     result.compiled = std::move(drawn.compiled);
@@ -215,7 +218,7 @@ Comparison LabViews::hidden(size_t check, const DrawnChecks& drawn) const {
             drawn.checks[other].hidden};
 }
 
-check::Judgement LabViews::judge(const Comparison& one) const {
+check::Verdict LabViews::judge(const Comparison& one) const {
     if (!one.drawn.image) return {one.drawn.outcome, one.drawn.error};
     if (one.view.expected) return relief::check::judge(manifest_, one.check, *one.drawn.image, *one.view.expected);
     if (!one.other.image) return {one.other.outcome, one.other.error};

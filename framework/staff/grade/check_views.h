@@ -44,6 +44,8 @@ struct DrawnViews {
 struct DrawnChecks {
     std::vector<DrawnViews> checks = {};   ///< in the manifest's order
     double compile = 0, draw = 0;          ///< seconds
+    double wasted = 0;                     ///< see Attempt
+    bool compiles_forever = false;         ///< see Attempt
     double cpu = 0;                        ///< seconds of processor time for drawing, see Attempt
     std::string log = {};                  ///< the compiler's messages, or empty
     check::CompiledShaders compiled = {};  ///< see Attempt
@@ -87,19 +89,20 @@ public:
     DrawnChecks take_solution() { return std::move(solution_); }
 
     /// Draws the checks that are true in `checks`, and the checks that they compare with. For C++ tasks, separate
-    /// processes draw public and hidden pictures; see attempt().
-    DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const;
+    /// processes draw public and hidden pictures; see attempt(). `alone`: see Stage::course().
+    DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
+                     const std::string& alone = {}) const;
 
     Comparison own(size_t check, const DrawnChecks& drawn) const;
     /// Precondition: the check has a hidden view.
     Comparison hidden(size_t check, const DrawnChecks& drawn) const;
-    check::Judgement judge(const Comparison& comparison) const;
+    check::Verdict judge(const Comparison& comparison) const;
     /// Returns slowness() of the check's own view; if that is empty, of its hidden view.
     std::string slowness(size_t check, const DrawnChecks& drawn) const;
 
 private:
     DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which,
-                     bool keeps_compiled) const;
+                     const std::string& alone, bool keeps_compiled) const;
     size_t compared_with(size_t check) const;
     std::vector<bool> with_compared(std::vector<bool> checks) const;
     double find_hidden_views(const CourseFiles& solution);

@@ -17,6 +17,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
+#include "framework/staff/grade/authorship.h"
 #include "framework/staff/grade/class_file.h"
 #include "framework/staff/grade/hand_in_log.h"
 #include "framework/staff/grade/progress.h"
@@ -31,8 +32,9 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 /// A submission before it is graded. Grading reads its files again, so that a thousand submissions fit in memory.
 struct Entry {
-    fs::path path;
+    std::vector<SubmissionPart> parts;
     std::string name, hash;
+    std::vector<std::string> remarks;  ///< which hand-in of several counts
     std::vector<const LabEntry*> labs;
     std::map<std::string, LabMark> kept;  ///< earlier marks of labs beyond the limit of hand-ins, by folder
     std::vector<GradedHandIn> hand_ins;   ///< entries that grading adds to the log
@@ -86,9 +88,9 @@ private:
         for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
         make_folder(options_.output / "results");
         if (const fs::path file = class_file_of(options_.output); !file.empty()) {
-            const ClassFile policy = read_class_file(file, options_.output);
-            hand_ins_per_day_ = policy.hand_ins_per_day;
-            utc_offset_ = policy.utc_offset;
+            policy_ = read_class_file(file, options_.output);
+            hand_ins_per_day_ = policy_.hand_ins_per_day;
+            utc_offset_ = policy_.utc_offset;
         }
     }
 
@@ -118,41 +120,45 @@ private:
     }
 
     void look_through() {
-        std::map<std::string, std::vector<std::string>> paths;  // by name
-        for (const fs::path& path : options_.submissions)
-            paths[file_name_of(submission_name(path))].push_back(printable(path.string()));
+        const HandIns hand_ins = hand_ins_of(options_.submissions, policy_);
         Roster roster{.course = course_, .seed = setup_.seed, .labs = {}, .submissions = {}};
         for (const LabEntry* lab : options_.labs) roster.labs.push_back(lab->folder);
         if (course_before_ == course_) roster.solution_cpu = figures_before_;
+        for (const fs::path& path : options_.submissions) roster.given.push_back(fs::absolute(path).lexically_normal());
         const std::set<std::string> files = wanted();
-        Progress progress(int(options_.submissions.size()));
-        for (const fs::path& path : options_.submissions) {
+        Progress progress(int(hand_ins.all.size()));
+        for (const HandIn& hand_in : hand_ins.all) {
             progress.next("reading");
-            const std::string name = submission_name(path);
-            if (const auto& same = paths.at(file_name_of(name)); same.size() > 1) {
-                if (same.front() == printable(path.string())) report_.doubled.push_back(name);
-                continue;
-            }
-            const Submission submission = read_submission(path, files);
-            if (!submission.doubt.empty())
-                print_note(fmt::format("{}: {}", printable(submission.name), submission.doubt));
+            const Submission submission = read_submission(hand_in.name, hand_in.parts, files);
             const int place = int(roster.submissions.size());
-            roster.submissions.push_back({submission.name, submission.hash, fs::absolute(path).lexically_normal()});
+            Roster::One& one = roster.submissions.emplace_back(
+                Roster::One{submission.name, submission.hash, hand_in.parts, hand_in.remarks});
+            for (SubmissionPart& part : one.parts) part.path = fs::absolute(part.path).lexically_normal();
             if (place % options_.shard.count != options_.shard.index) continue;
             Entry& entry = entries_.emplace_back();
-            entry.path = path;
+            entry.parts = hand_in.parts;
             entry.name = submission.name;
             entry.hash = submission.hash;
+            entry.remarks = hand_in.remarks;
             entry.labs = labs_of(submission);
-            entry.done = take_over(entry);
+            for (const std::string& remark : remarks_of(entry, submission))
+                print_note(fmt::format("{}: {}", printable(entry.name), remark));
+            entry.done = take_over(entry, submission);
             if (!entry.done) apply_limit(entry, submission);
             report_.taken_over += entry.done;
         }
-        for (const std::string& name : report_.doubled)
-            print_error(fmt::format("{} submissions are named '{}', so none of them is graded: {}; keep one, or rename",
-                                    paths.at(file_name_of(name)).size(), printable(name),
-                                    join(paths.at(file_name_of(name)), ", ")));
+        for (const std::string& note : hand_ins.notes) print_note(note);
+        for (const HandIns::Doubled& one : hand_ins.doubled) {
+            print_error(one.message);
+            report_.doubled.push_back(one.name);
+        }
         write_roster(options_.output, roster);
+    }
+
+    static std::vector<std::string> remarks_of(const Entry& entry, const Submission& submission) {
+        std::vector<std::string> remarks = entry.remarks;
+        remarks.insert(remarks.end(), submission.remarks.begin(), submission.remarks.end());
+        return remarks;
     }
 
     /// Keeps every valid result, even if its submission has changed or gone since the roster was written.
@@ -165,9 +171,10 @@ private:
         for (size_t i = size_t(options_.shard.index); i < roster.submissions.size();
              i += size_t(options_.shard.count)) {
             const Roster::One& one = roster.submissions[i];
-            Entry entry{.path = one.path,
+            Entry entry{.parts = one.parts,
                         .name = one.name,
                         .hash = one.hash,
+                        .remarks = one.remarks,
                         .labs = {},
                         .kept = {},
                         .hand_ins = {},
@@ -177,7 +184,7 @@ private:
                 entry.done = true;
                 ++report_.taken_over;
             } else {
-                const Submission submission = read_submission(one.path, files);
+                const Submission submission = read_submission(one.name, one.parts, files);
                 if (!submission.problem.empty() && submission.hash != one.hash) {  // the roster's run could read it
                     report_.lost.push_back(one.name);
                     continue;
@@ -206,7 +213,7 @@ private:
 
     /// Takes over the result of an earlier run if nothing has changed since. A result from a run without a sandbox
     /// counts only with `trust`.
-    bool take_over(Entry& entry) const {
+    bool take_over(Entry& entry, const Submission& submission) const {
         if (options_.fresh || entry.hash.empty()) return false;
         auto mark = result_of(options_.output, entry.name, course_);
         // A hand-in that the limit refused may be allowed on another day.
@@ -217,6 +224,11 @@ private:
             !std::equal(mark->labs.begin(), mark->labs.end(), entry.labs.begin(), entry.labs.end(), is_same))
             return false;
         entry.mark = std::move(*mark);
+        // Other names for the same files change no mark.
+        if (std::vector<std::string> remarks = remarks_of(entry, submission); remarks != entry.mark.remarks) {
+            entry.mark.remarks = std::move(remarks);
+            write_file_to_disk(result_file(entry), to_json(entry.mark));
+        }
         return true;
     }
 
@@ -251,6 +263,7 @@ private:
         mark.hash = submission.hash;
         mark.ignored = submission.ignored;
         mark.ignored_count = submission.ignored_count;
+        mark.remarks = remarks_of(entry, submission);
         mark.labs.clear();
         for (const LabEntry* lab : entry.labs)
             mark.labs.push_back(entry.kept.contains(lab->folder) ? entry.kept.at(lab->folder)
@@ -301,7 +314,7 @@ private:
 
     void grade(Entry& entry) {
         const auto begin = Clock::now();
-        const Submission submission = read_submission(entry.path, wanted());
+        const Submission submission = read_submission(entry.name, entry.parts, wanted());
         SubmissionMark& mark = entry.mark;
         mark.name = submission.name;
         mark.hash = submission.hash;
@@ -312,6 +325,7 @@ private:
             mark.problem = "there is no task file in it" + why_none(submission);
         mark.ignored = submission.ignored;
         mark.ignored_count = submission.ignored_count;
+        mark.remarks = remarks_of(entry, submission);
         std::vector<CheckPictures> pictures;
         // Logged first, so that a killed run does not give a hand-in away.
         log_hand_ins(options_.output, entry.name, entry.hand_ins, utc_offset_);
@@ -329,14 +343,11 @@ private:
         write_file_to_disk(result_file(entry), to_json(mark));
     }
 
-    /// Returns the reason for a missing task file, if it is a link or a task file without its folders.
-    std::string why_none(const Submission& submission) const {
+    /// Returns the reason for a missing task file, if it is a link or has an unclear name.
+    static std::string why_none(const Submission& submission) {
         if (!submission.links.empty())
             return fmt::format(": '{}' is a link, and links are not followed", submission.links.front());
-        for (const std::string& task : wanted())
-            for (const std::string& name : submission.ignored)
-                if (fs::path(name).filename() == fs::path(task).filename())
-                    return fmt::format(": '{}' must keep its folders, as in {}", name, task);
+        if (!submission.remarks.empty()) return ": " + submission.remarks.front();
         return submission.ignored.empty() ? "" : ": only " + some_of(submission.ignored);
     }
 
@@ -348,8 +359,8 @@ private:
         } catch (const std::exception& error) {
             LabMark lab{.lab = grader.lab().folder};
             for (const TaskInfo& info : grader.manifest().tasks) {
-                TaskMark& task = lab.tasks.emplace_back(empty_mark(info));
-                task.checks.push_back({.name = "all", .outcome = check::Outcome::machine, .found = error.what()});
+                check::TaskVerdict& task = lab.tasks.emplace_back(check::unjudged(info));
+                task.checks.push_back({.outcome = check::Outcome::machine, .found = error.what(), .name = "all"});
             }
             return lab;
         }
@@ -362,6 +373,7 @@ private:
     std::optional<Stage> stage_;
     std::string course_, course_before_;            ///< hashes of this run and of the previous class.json
     std::map<std::string, double> figures_before_;  ///< in the previous class.json
+    ClassFile policy_;                              ///< empty without a class file
     int hand_ins_per_day_ = 0;                      ///< 0: any number
     UtcOffset utc_offset_{0};
     std::map<std::string, Manifest> manifests_;

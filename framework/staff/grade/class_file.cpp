@@ -55,6 +55,7 @@ public:
         root.read("roster", roster);
         if (!roster.empty()) read_roster_table(beside(root, "roster", roster));
         for (Table& table : root.tables("student")) read_student(table);
+        refuse_ambiguous_teams();
         if (auto late = root.table("late")) read_late(*late);
         if (auto attempts = root.table("attempts")) read_attempts(*attempts);
         for (Table& table : root.tables("extension")) read_extension(table);
@@ -145,7 +146,16 @@ private:
                                                    ? ""
                                                    : " of " + printable(before->second.file.filename().string())));
         }
+        student.team = composed(student.team);
+        if (!student.team.empty()) teams_.try_emplace(student.team, place);
         class_.students.push_back(std::move(student));
+    }
+
+    /// Throws Error if a team has the name of a student: a submission of that name could be of either.
+    void refuse_ambiguous_teams() const {
+        for (const auto& [team, place] : teams_)
+            if (known_.contains({"student", team}))
+                throw Error(place, fmt::format("the team '{}' has the name of a student: rename it", printable(team)));
     }
 
     void read_student(Table& table) {
@@ -157,26 +167,29 @@ private:
         table.read("canvas_id", student.canvas_id);
         table.read("sis_id", student.sis_id);
         table.read("section", student.section);
+        table.read("team", student.team);
         table.finish();
         add(std::move(student), {file_, table.line("student")});
     }
 
     void read_roster_table(const fs::path& file) {
         const CsvTable table = read_csv(file);
-        table.refuse_columns(Words{"student", "name", "email", "login", "canvas_id", "sis_id", "section"},
+        table.refuse_columns(Words{"student", "name", "email", "login", "canvas_id", "sis_id", "section", "team"},
                              Words{"student"});
         if (table.rows.empty()) throw Error({file}, "names no student");
         for (const CsvRow& row : table.rows) {
             const auto cell = [&](const char* name) { return table.cell(row, name); };
             add({composed(cell("student")), cell("name"), cell("email"), cell("login"), cell("canvas_id"),
-                 cell("sis_id"), cell("section")},
+                 cell("sis_id"), cell("section"), cell("team")},
                 {file, row.line});
         }
     }
 
-    /// Throws Error at `place` if there is a roster and the student is not on it.
-    void refuse_stranger(const std::string& student, const Place& place) const {
+    /// Throws Error at `place` if there is a roster and the student is not on it. With `takes_teams`, a team is as
+    /// good.
+    void refuse_stranger(const std::string& student, const Place& place, bool takes_teams = false) const {
         if (class_.students.empty() || known_.contains({"student", student})) return;
+        if (takes_teams && teams_.contains(student)) return;
         Words names;
         for (const Student& one : class_.students) names.push_back(one.student);
         throw Error(place, fmt::format("'{}' is not on the roster{}", printable(student), suggested(student, names)));
@@ -210,7 +223,7 @@ private:
             const Place place{file, row.line};
             const std::string student = composed(table.cell(row, "student"));
             const std::string &lab = table.cell(row, "lab"), &time = table.cell(row, "handed_in");
-            refuse_stranger(student, place);
+            refuse_stranger(student, place, true);
             if (time.size() <= std::string("2027-03-01").size())
                 throw Error(place,
                             fmt::format("'{}' is no time: write it as 2027-03-01T23:59:00+01:00", printable(time)));
@@ -226,6 +239,7 @@ private:
     fs::path file_;
     ClassFile class_;
     std::optional<UtcOffset> offset_;
+    std::map<std::string, Place> teams_;                          ///< the first place of each
     std::map<std::pair<std::string, std::string>, Place> known_;  ///< kind and value of each identifier
 };
 
@@ -271,6 +285,11 @@ ClassFile read_class_file(const fs::path& file, const fs::path& results) {
     }
     policy.adjustments = read_adjustments(adjustments);
     return policy;
+}
+
+bool has_teams(const ClassFile& policy) {
+    return std::any_of(policy.students.begin(), policy.students.end(),
+                       [](const Student& one) { return !one.team.empty(); });
 }
 
 bool has_limits(const ClassFile& policy) { return policy.late.bank_days > 0 || policy.hand_ins_per_day > 0; }

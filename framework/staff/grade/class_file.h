@@ -14,8 +14,9 @@
 namespace relief::grade {
 
 struct Student {
-    std::string student;  ///< the name of the submission, as results.csv shows it, composed()
-    std::string name, email, login, canvas_id, sis_id, section;  ///< each may be empty
+    std::string student = {};  ///< the name of the submission, as results.csv shows it, composed()
+    std::string name = {}, email = {}, login = {}, canvas_id = {}, sis_id = {}, section = {};  ///< each may be empty
+    std::string team = {};  ///< students of one team have one mark; empty: none
 };
 
 struct AssignedLab {
@@ -41,8 +42,8 @@ struct Extension {
     std::string note;  ///< for instructors
 };
 
-struct HandIn {
-    std::string student, lab;  ///< no lab: for all labs without a time of their own
+struct HandInTime {
+    std::string student, lab;  ///< or a team; no lab: for all labs without a time of their own
     Moment time;
 };
 
@@ -62,7 +63,7 @@ struct ClassFile {
     LateRule late;
     int hand_ins_per_day = 0;  ///< graded hand-ins per student, lab and day; 0: any number
     std::vector<Extension> extensions;
-    std::vector<HandIn> hand_ins;
+    std::vector<HandInTime> hand_ins;
     std::vector<Adjustment> adjustments;
 
     /// Returns the assigned lab; null if it does not count.
@@ -74,6 +75,9 @@ struct ClassFile {
 /// Throws Error with file and line for an unknown key, lab or task, an invalid date, a duplicate student or identifier,
 /// and a student who is not on the roster.
 ClassFile read_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
+
+/// Returns whether a student of the roster has a team.
+bool has_teams(const ClassFile& policy);
 
 /// Returns whether the class has late days or a limit of hand-ins. If it has, late_days.csv is written.
 bool has_limits(const ClassFile& policy);

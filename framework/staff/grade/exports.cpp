@@ -67,8 +67,8 @@ Suite suite_of(const Standing& standing) {
         suite.seconds = mark.seconds;
         if (!mark.problem.empty()) add("submission", "can be read", "failure", "unreadable", mark.problem);
         for (const LabMark& lab : mark.labs)
-            for (const TaskMark& task : lab.tasks)
-                for (const CheckMark& check : task.checks) {
+            for (const check::TaskVerdict& task : lab.tasks)
+                for (const check::Verdict& check : task.checks) {
                     const bool passed = check.outcome == check::Outcome::passed,
                                machine = check.outcome == check::Outcome::machine;
                     add(lab.lab + "." + task.id, check.name,
@@ -91,18 +91,18 @@ Suite suite_of(const Standing& standing) {
 // ---- JSON ----
 
 /// Returns the check's hint on a line of its own, for systems that show plain text.
-std::string look_at(const CheckMark& check) {
+std::string look_at(const check::Verdict& check) {
     return check.look_at.empty() ? "" : "\nlook at: " + without_backticks(check.look_at);
 }
 
 /// Returns the text for a check on Gradescope, which shows hidden checks to instructors only.
-std::string sentence(const CheckMark& check) {
+std::string sentence(const check::Verdict& check) {
     return (check.hidden ? check.found : found_for_students(check)) + look_at(check);
 }
 
 /// Returns the pictures of a check that its student may see: it failed, and neither it nor its view is hidden.
-std::vector<const ExportPicture*> pictures_of(const LabMark& lab, const TaskMark& task, const CheckMark& check,
-                                              const std::vector<ExportPicture>& pictures) {
+std::vector<const ExportPicture*> pictures_of(const LabMark& lab, const check::TaskVerdict& task,
+                                              const check::Verdict& check, const std::vector<ExportPicture>& pictures) {
     std::vector<const ExportPicture*> shown;
     if (check.outcome == check::Outcome::passed || check.hidden || !check.view.empty()) return shown;
     for (const ExportPicture& one : pictures)
@@ -160,6 +160,8 @@ std::string to_csv(const ClassStanding& standing) {
         standing.students.empty() ? std::vector<LabStanding>() : standing.students.front().labs;
     Cells head{"submission", "state", "points", "of"};
     if (has_roster) head.insert(head.end(), {"name", "email", "login", "canvas_id", "sis_id", "section"});
+    const bool teams = has_teams(standing.policy);
+    if (teams) head.push_back("team");
     head.insert(head.end(), {"by the checks", "adjusted by", "late by", "remarks"});
     if (standing.policy.late.bank_days > 0)
         head.push_back(fmt::format("late days used (of {})", standing.policy.late.bank_days));
@@ -175,6 +177,7 @@ std::string to_csv(const ClassStanding& standing) {
             for (const std::string& word : {one.student.name, one.student.email, one.student.login,
                                             one.student.canvas_id, one.student.sis_id, one.student.section})
                 cells.push_back(cell(word));
+        if (teams) cells.push_back(cell(one.student.team));
         cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
                                    points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
         if (standing.policy.late.bank_days > 0) cells.push_back(std::to_string(one.bank_used));
@@ -285,8 +288,8 @@ std::string to_prairielearn(const Standing& standing, const std::vector<ExportPi
         {"tests", ordered_json::array()}};
     if (standing.mark)
         for (const LabMark& lab : standing.mark->labs)
-            for (const TaskMark& task : lab.tasks)
-                for (const CheckMark& check : task.checks) {
+            for (const check::TaskVerdict& task : lab.tasks)
+                for (const check::Verdict& check : task.checks) {
                     const double points = double(task.of) / double(task.checks.size());
                     json["tests"].push_back(
                         {{"name",
@@ -327,14 +330,14 @@ std::string to_gradescope(const Standing& standing, const std::vector<ExportPict
         tests.push_back(std::move(test));
     };
     for (const LabMark& lab : mark.labs)
-        for (const TaskMark& task : lab.tasks) {
-            for (const CheckMark& check : task.checks) {
-                const double share = double(task.of) / double(task.checks.size());
+        for (const check::TaskVerdict& task : lab.tasks) {
+            for (const check::Verdict& check : task.checks) {
+                const check::TaskVerdict::Share share = task.share_of(check);
                 const bool passed = check.outcome == check::Outcome::passed;
                 any_hidden |= check.hidden;
                 add(fmt::format("{} {}: {}", task.id, task.title, check.name), lab,
-                    {{"score", passed ? share : 0.0},
-                     {"max_score", share},
+                    {{"score", share.points},
+                     {"max_score", share.of},
                      {"status", passed ? "passed" : "failed"},
                      {"output", fmt::format("{}: {}", name_of(check.outcome), sentence(check))},
                      {"visibility", check.hidden ? "hidden" : "visible"}});

@@ -4,23 +4,22 @@
 #include <cmath>
 
 #include "framework/core/base/error.h"
-#include "framework/core/base/sha256.h"
-#include "framework/course/check/drawing.h"
-#include "framework/staff/grade/mistake_names.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/context/context.h"
+#include "framework/core/lab/shot.h"
+#include "framework/staff/grade/mistake_pictures.h"
 
 namespace relief::grade {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The numbers of compared values of a check: evenly spread ones, which detect unlisted mistakes, and values in which
 /// known mistakes differ.
 constexpr size_t spread_values = 8, telling_values = 24;
 /// The number of candidate values that distinguish each pair.
 constexpr size_t candidates_of_pair = 100;
-
-check::Sample all_of(const DrawnAttempt& drawn) {
-    if (!drawn.image) return {.error = drawn.error};
-    return {.values = drawn.image->values, .is_drawn = true};
-}
 
 /// Returns the indices in [0, count) in a fixed order that spreads them evenly: sorted by the fractional part of i
 /// times the golden ratio.
@@ -106,14 +105,6 @@ private:
     std::vector<size_t> counts_;  ///< by pair
 };
 
-/// Returns the public checks of a task, by their indices in the manifest.
-std::vector<size_t> public_checks(const Manifest& manifest, const std::string& task) {
-    std::vector<size_t> checks;
-    for (size_t i = 0; i < manifest.checks.size(); ++i)
-        if (manifest.checks[i].task == task && !manifest.checks[i].hidden) checks.push_back(i);
-    return checks;
-}
-
 /// Returns whether two mistakes, or a mistake and the solution, draw the same in all checks up to rounding. Then no
 /// check distinguishes them.
 bool are_alike(const std::vector<check::Sample>& one, const std::vector<check::Sample>& other) {
@@ -133,65 +124,109 @@ check::Sample sample_of(const check::Sample& all, const std::vector<size_t>& pla
     return sample;
 }
 
-}  // namespace
-
-std::string fingerprints_made_of(const LabEntry& lab, const Manifest& manifest) {
-    std::string all;
-    std::vector<Shot> shots;
-    for (const CheckInfo& check : manifest.checks) {
-        if (check.hidden) continue;
-        all += check.task + '\n' + check.name + '\n';
-        shots.push_back(check.shot);
+/// Returns when the last of the files changed that take part in a lab's pictures.
+fs::file_time_type newest_input(const LabEntry& lab) {
+    fs::file_time_type newest = fs::file_time_type::min();
+    for (const fs::path& folder :
+         {fs::path("framework/core"), fs::path("shaders/common"), "shaders" / fs::path(lab.folder),
+          "labs" / fs::path(lab.folder), fs::path("assets")}) {
+        if (!fs::is_directory(course_root() / folder)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(course_root() / folder))
+            if (entry.is_regular_file()) newest = std::max(newest, entry.last_write_time());
     }
-    all += check::drawing_request(lab, shots, {});
-    for (const MistakeInfo& mistake : manifest.mistakes) {
-        all += '\n' + mistake.task + '\n' + mistake.hint + '\n' + (mistake.same_as.empty() ? "" : "same");
-        for (const Edit& edit : mistake.edits) all += '\n' + edit.file + '\n' + edit.find + '\n' + edit.replace;
-    }
-    return sha256(all).substr(0, 16);
+    return newest;
 }
 
-check::Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
-                                      const std::function<void(const std::string& mistake)>& begins) {
-    const Manifest& manifest = pictures.manifest();
-    check::Fingerprints result;
-    result.made_of = fingerprints_made_of(lab, manifest);
-    for (const TaskInfo& task : manifest.tasks) {
-        const std::vector<size_t> checks = public_checks(manifest, task.id);
-        std::vector<Shot> shots;
-        std::vector<std::vector<check::Sample>> drawn(1);  // by program (the solution, then mistakes), then by check
-        for (const size_t check : checks) {
-            const Shot& shot = shots.emplace_back(manifest.checks[check].shot);
-            drawn[0].push_back({.values = draw_shot(*make_lab(lab, shot), shot).values, .is_drawn = true});
-        }
-        const size_t first = result.mistakes.size();
-        for (const MistakeInfo& mistake : manifest.mistakes) {
-            if (mistake.task != task.id || !mistake.same_as.empty()) continue;
-            begins(mistake.id);
-            std::vector<check::Sample> own;
-            for (const DrawnAttempt& one : pictures.draw(mistake, shots)) own.push_back(all_of(one));
-            const auto alike = std::find_if(drawn.begin(), drawn.end(), [&](const std::vector<check::Sample>& other) {
-                return are_alike(own, other);
-            });
-            const std::string hint = hint_with_same(manifest, mistake);
-            if (alike == drawn.end()) {
-                drawn.push_back(std::move(own));
-                result.mistakes.push_back({task.id, hint, {}});
-            } else if (alike != drawn.begin()) {
-                result.mistakes[first + size_t(alike - drawn.begin()) - 1].hint += " Or: " + hint;
-            }
-        }
-        for (size_t i = 0; i < checks.size(); ++i) {
-            std::vector<const check::Sample*> programs;
-            for (const std::vector<check::Sample>& program : drawn) programs.push_back(&program[i]);
-            check::Fingerprints::Places& places = result.checks[checks[i]];
-            places.values = Chooser(programs, bool(shots[i].probe)).take();
-            places.solution = sample_of(drawn[0][i], places.values);
-            for (size_t j = 1; j < drawn.size(); ++j)
-                result.mistakes[first + j - 1].draws[checks[i]] = sample_of(drawn[j][i], places.values);
+}  // namespace
+
+std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake) {
+    std::string hint = mistake.hint;
+    for (const MistakeInfo& other : manifest.mistakes)
+        if (other.same_as == mistake.id) hint += " Or: " + other.hint;
+    return hint;
+}
+
+std::vector<const MistakeInfo*> distinct_mistakes(const Manifest& manifest, const std::string& task) {
+    std::vector<const MistakeInfo*> mistakes;
+    for (const MistakeInfo& mistake : manifest.mistakes)
+        if (mistake.task == task && mistake.same_as.empty()) mistakes.push_back(&mistake);
+    return mistakes;
+}
+
+std::vector<size_t> checks_with_fingerprints(const Manifest& manifest, const std::string& task) {
+    std::vector<size_t> checks;
+    for (size_t i = 0; i < manifest.checks.size(); ++i)
+        if (manifest.checks[i].task == task && !manifest.checks[i].shot.calls) checks.push_back(i);
+    return checks;
+}
+
+check::Sample whole_sample(const DrawnAttempt& drawn) {
+    if (!drawn.image) return {.error = drawn.error};
+    return {.values = drawn.image->values, .is_drawn = true};
+}
+
+void add_fingerprints(check::Fingerprints& result, const Manifest& manifest, const std::string& task,
+                      const std::vector<size_t>& checks, const DrawnProgram& solution,
+                      std::vector<DrawnProgram> mistakes) {
+    const std::vector<const MistakeInfo*> infos = distinct_mistakes(manifest, task);
+    std::vector<DrawnProgram> programs = {solution};
+    const size_t first = result.mistakes.size();
+    for (size_t m = 0; m < infos.size(); ++m) {
+        const auto alike = std::find_if(programs.begin(), programs.end(),
+                                        [&](const DrawnProgram& other) { return are_alike(mistakes[m], other); });
+        const std::string hint = hint_with_same(manifest, *infos[m]);
+        if (alike == programs.end()) {
+            programs.push_back(std::move(mistakes[m]));
+            result.mistakes.push_back({task, infos[m]->id, hint, {}});
+        } else if (alike != programs.begin()) {
+            result.mistakes[first + size_t(alike - programs.begin()) - 1].hint += " Or: " + hint;
         }
     }
-    return result;
+    for (size_t i = 0; i < checks.size(); ++i) {
+        std::vector<const check::Sample*> drawn;
+        for (const DrawnProgram& program : programs) drawn.push_back(&program[i]);
+        check::Fingerprints::Places& places = result.checks[checks[i]];
+        places.values = Chooser(drawn, bool(manifest.checks[checks[i]].shot.probe)).take();
+        places.solution = sample_of(programs[0][i], places.values);
+        for (size_t j = 1; j < programs.size(); ++j)
+            result.mistakes[first + j - 1].draws[checks[i]] = sample_of(programs[j][i], places.values);
+    }
+}
+
+std::string public_fingerprints(const LabEntry& lab, const std::function<void(const std::string& mistake)>& begins) {
+    const fs::path kept = check::fingerprints_file(lab);
+    MistakePictures pictures(lab, {.threads = 0, .pinned = true});
+    Manifest manifest = pictures.manifest();
+    std::erase_if(manifest.checks, [](const CheckInfo& check) { return check.hidden; });
+    std::error_code none;
+    if (const auto made = fs::last_write_time(kept, none); !none && made > newest_input(lab)) return read_file(kept);
+    if (!is_software_renderer())
+        throw Error("fingerprints are made on Mesa's software renderer, as checks are drawn; this is " +
+                    describe_context().renderer);
+    check::Fingerprints result;
+    for (const TaskInfo& task : manifest.tasks) {
+        const std::vector<size_t> checks = checks_with_fingerprints(manifest, task.id);
+        std::vector<Shot> shots;
+        DrawnProgram solution;
+        for (const size_t check : checks) {
+            const Shot& shot = shots.emplace_back(manifest.checks[check].shot);
+            solution.push_back({.values = draw_shot(*make_lab(lab, shot), shot).values, .is_drawn = true});
+        }
+        std::vector<DrawnProgram> mistakes;
+        for (const MistakeInfo* mistake : distinct_mistakes(manifest, task.id)) {
+            begins(mistake->id);
+            DrawnProgram& program = mistakes.emplace_back();
+            for (const DrawnAttempt& one : pictures.draw(*mistake, shots)) program.push_back(whole_sample(one));
+        }
+        add_fingerprints(result, manifest, task.id, checks, solution, std::move(mistakes));
+    }
+    const std::string text = check::text_of(result, manifest);
+    try {
+        make_folder(kept.parent_path());
+        write_file(kept, text);
+    } catch (const Error&) {  // an installed course cannot be written: then they are drawn each time
+    }
+    return text;
 }
 
 }  // namespace relief::grade

@@ -1,22 +1,36 @@
-// Makes the fingerprints with which the students' `relief check` recognises known mistakes.
+// Makes the fingerprints by which the grader and the students' `relief check` recognise known mistakes.
 #pragma once
 
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "framework/course/check/fingerprints.h"
-#include "framework/staff/grade/mistake_pictures.h"
+#include "framework/staff/grade/attempt.h"
 
 namespace relief::grade {
 
-/// Returns a hash of the manifest's inputs to the fingerprints: the known mistakes, and the shots of public checks. The
-/// solution's values are in the fingerprints themselves.
-std::string fingerprints_made_of(const LabEntry& lab, const Manifest& manifest);
+/// Returns the hint of a known mistake, joined with the hints of mistakes that are `same_as` it.
+std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake);
 
-/// Draws the solution and every known mistake that is not `same_as` another. Joins the hints of mistakes that no public
-/// check distinguishes. Omits a mistake that draws the same as the solution. Calls `begins` with each mistake's id
-/// before it is drawn. Needs a context, pinned as for `relief check`. Throws Error if the solution cannot be drawn.
-check::Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
-                                      const std::function<void(const std::string& mistake)>& begins);
+/// Returns the mistakes of a task that have fingerprints of their own.
+std::vector<const MistakeInfo*> distinct_mistakes(const Manifest& manifest, const std::string& task);
+/// Returns the indices of a task's checks that have fingerprints: a few values of calls are no picture.
+std::vector<size_t> checks_with_fingerprints(const Manifest& manifest, const std::string& task);
+
+/// The whole pictures that a program draws in some checks, in the order of the checks.
+using DrawnProgram = std::vector<check::Sample>;
+/// Returns all values of a picture, or the error that replaced it.
+check::Sample whole_sample(const DrawnAttempt& drawn);
+
+/// Adds the fingerprints of a task. `mistakes`: what distinct_mistakes() draw in `checks`. The hints of mistakes that
+/// draw the same are joined by "Or:". A mistake that draws the same as the solution has no fingerprints.
+void add_fingerprints(check::Fingerprints& result, const Manifest& manifest, const std::string& task,
+                      const std::vector<size_t>& checks, const DrawnProgram& solution,
+                      std::vector<DrawnProgram> mistakes);
+
+/// Returns the text of the fingerprints of a lab's public checks, see check::text_of(). Draws all mistakes in the
+/// current context, which must be Mesa's software renderer, and keeps the text in the build folder until a file changes
+/// that takes part in the pictures. `begins`: is called before each mistake.
+std::string public_fingerprints(const LabEntry& lab, const std::function<void(const std::string& mistake)>& begins);
 
 }  // namespace relief::grade

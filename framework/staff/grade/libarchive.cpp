@@ -75,8 +75,7 @@ private:
 }  // namespace
 
 extern "C" [[gnu::visibility("default")]] void relief_read_archive(
-    int descriptor, size_t largest, const std::function<bool(const std::string&)>& wanted,
-    std::vector<ArchiveEntry>& entries) {
+    int descriptor, const std::function<size_t(const std::string&)>& largest, std::vector<ArchiveEntry>& entries) {
     const Utf8Names utf8;
     const Reader reader = open(descriptor);
     size_t unpacked = 0, names = 0;
@@ -99,10 +98,11 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         entry.name = name;
         entry.is_link = archive_entry_hardlink(found) || archive_entry_symlink(found);
         entry.is_file = archive_entry_filetype(found) == AE_IFREG && !entry.is_link;
-        const bool keep = entry.is_file && wanted(entry.name);
+        const size_t most = entry.is_file ? largest(entry.name) : 0;
+        const bool keep = most > 0;
         // A zip has an index, so skipping an unwanted entry unpacks nothing.
         const bool is_zip = (archive_format(reader.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
-        if (keep || !is_zip) read_content(reader.get(), entry, keep, largest, unpacked);
+        if (keep || !is_zip) read_content(reader.get(), entry, keep, most, unpacked);
         if (entry.too_large) entry.content.clear();
     }
 }

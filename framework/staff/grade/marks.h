@@ -7,31 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/reach.h"
+#include "framework/course/check/judge.h"
 #include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/submission.h"
 
 namespace relief::grade {
-
-struct CheckMark {
-    std::string name;
-    check::Outcome outcome = check::Outcome::machine;
-    std::string found;         ///< the measured values or the error, then slowness() if the task is slow
-    std::string look_at = {};  ///< the hint; empty if the check passed
-    std::string view = {};     ///< the hidden view, if the check failed only there; never shown to students
-    bool hidden = false;
-};
-
-struct TaskMark {
-    std::string id, title, file;
-    int of = 0;         ///< maximum number of points
-    double points = 0;  ///< each passed check earns an equal share
-    std::vector<CheckMark> checks = {};
-    std::string mistake = {}, hint = {};  ///< id and hint of the known mistake that its pictures show, or empty
-};
-/// Returns the mark of a task before grading: no checks, no points.
-TaskMark empty_mark(const TaskInfo& task);
 
 /// The two pictures that a failed check compared; they have the same shape. `drawn` comes from the submission and is
 /// not trusted.
@@ -56,7 +37,7 @@ struct MarkTimes {
 
 struct LabMark {
     std::string lab;  ///< folder
-    std::vector<TaskMark> tasks = {};
+    std::vector<check::TaskVerdict> tasks = {};
     std::string log = {};  ///< the compiler's messages, or empty
     MarkTimes times = {};
     /// Why a newer hand-in was not graded, so that this is the mark of an earlier one; or empty.
@@ -82,9 +63,8 @@ public:
     /// Returns the number of checks that have a hidden view.
     size_t hidden_views() const { return views_.hidden_count(); }
 
-    /// Judges the check of a task's examples with this course's files, except for those that are edited. Precondition:
-    /// the task has examples.
-    check::Judgement words_of(const std::string& task, const CourseFiles& edited) const;
+    /// Judges the check that an example belongs to with this course's files, except for those that are edited.
+    check::Verdict words_of(const ExampleInfo& example, const CourseFiles& edited) const;
 
     /// Grades a submission. Adds to `pictures` the pictures that failed checks compared; they point to this grader's
     /// manifest. `with_names`: whether to name known mistakes and relations to the expected picture.
@@ -92,15 +72,16 @@ public:
                  bool with_names = true) const;
 
 private:
-    struct Verdict;
-    Verdict judge_check(size_t check, const DrawnChecks& drawn) const;
-    void mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts, DrawnChecks& drawn) const;
+    check::Verdict judge_check(size_t check, const DrawnChecks& drawn) const;
+    bool ran_out(const std::string& task, const DrawnChecks& drawn) const;
+    std::map<size_t, check::Outcome> judge_each_alone(const Submission& submission,
+                                                      const std::map<std::string, std::vector<size_t>>& lost,
+                                                      DrawnChecks& drawn) const;
+    bool depend_on_shaders(const std::vector<size_t>& checks) const;
+    std::map<size_t, check::Outcome> judge_alone(const Submission& submission, const std::string& task,
+                                                 const std::vector<size_t>& checks, DrawnChecks& drawn) const;
+    void add_relation(size_t check, const DrawnChecks& drawn, check::Verdict& said) const;
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
-    std::string relation_in(size_t check, const Comparison& shown) const;
-    std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
-    void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
-                       const std::vector<check::TaskIds>& first, const std::vector<check::Judgement>& said,
-                       const std::vector<bool>& is_drawn) const;
 
     LabViews views_;
     MistakeNames mistakes_;

@@ -32,7 +32,7 @@ void refuse_other_points(const SubmissionMark& mark, const std::map<std::string,
                          const fs::path& file) {
     for (const LabMark& lab : mark.labs) {
         const auto manifest = manifests.find(lab.lab);
-        for (const TaskMark& task : lab.tasks) {
+        for (const check::TaskVerdict& task : lab.tasks) {
             const bool is_known =
                 manifest != manifests.end() && std::any_of(manifest->second.tasks.begin(), manifest->second.tasks.end(),
                                                            [&](const TaskInfo& info) { return info.id == task.id; });

@@ -1,105 +1,73 @@
 #include "framework/staff/grade/mistake_names.h"
 
 namespace relief::grade {
-namespace {
-
-constexpr size_t max_samples = 16384;
-
-/// Returns evenly spaced pixels of a picture, or the error that replaced it.
-check::Sample sample_of(const DrawnAttempt& drawn) {
-    check::Sample sample{.values = {}, .error = drawn.error, .is_drawn = drawn.image.has_value()};
-    if (!sample.is_drawn) return sample;
-    const Image& image = *drawn.image;
-    const size_t step = (image.pixel_count() + max_samples - 1) / max_samples;
-    for (size_t i = 0; i < image.pixel_count(); i += step)
-        for (int c = 0; c < image.channels; ++c)
-            sample.values.push_back(image.values[i * size_t(image.channels) + size_t(c)]);
-    return sample;
-}
-
-}  // namespace
-
-std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake) {
-    std::string hint = mistake.hint;
-    for (const MistakeInfo& other : manifest.mistakes)
-        if (other.same_as == mistake.id) hint += " Or: " + other.hint;
-    return hint;
-}
 
 MistakeNames::MistakeNames(const LabViews& views, const DrawnChecks& solution) : views_(views) {
-    for (const DrawnViews& one : solution.checks) solution_.push_back(sample_of(one.own));
+    for (size_t i = 0; i < solution.checks.size(); ++i) solution_[i] = whole_sample(solution.checks[i].own);
 }
 
-/// Returns the signatures of a task's mistakes. The first thread that needs them starts to draw them; threads that
+/// Returns the fingerprints of a task. The first thread that needs them starts to draw the mistakes; threads that
 /// arrive meanwhile draw the remaining ones.
-const std::vector<MistakeNames::Signature>& MistakeNames::signatures(const std::string& task) const {
+const check::Fingerprints& MistakeNames::fingerprints(const std::string& task) const {
+    const Manifest& manifest = views_.manifest();
     std::unique_lock lock(mutex_);
-    Signatures& known = by_task_[task];
-    if (known.list.empty())
-        for (const MistakeInfo& mistake : views_.manifest().mistakes)
-            if (mistake.task == task && mistake.same_as.empty()) known.list.push_back({&mistake});
-    while (known.next < known.list.size()) {
-        Signature& signature = known.list[known.next++];
-        lock.unlock();
-        signature.samples = samples_of(*signature.mistake);
-        lock.lock();
-        ++known.done;
-        known.one_more.notify_all();
+    const auto [place, is_new] = by_task_.try_emplace(task);
+    OfTask& known = place->second;
+    if (is_new) {
+        known.mistakes = distinct_mistakes(manifest, task);
+        known.drawn.resize(known.mistakes.size());
     }
-    known.one_more.wait(lock, [&] { return known.done == known.list.size(); });
-    return known.list;
+    while (known.next < known.mistakes.size()) {
+        const size_t i = known.next++;
+        lock.unlock();
+        DrawnProgram drawn = draw(*known.mistakes[i]);
+        lock.lock();
+        known.drawn[i] = std::move(drawn);
+        if (++known.done < known.mistakes.size()) continue;
+        const std::vector<size_t> checks = checks_with_fingerprints(manifest, task);
+        DrawnProgram solution;
+        for (const size_t check : checks) solution.push_back(std::move(solution_.extract(check).mapped()));
+        add_fingerprints(known.prints, manifest, task, checks, solution, std::move(known.drawn));
+        known.made.notify_all();
+    }
+    known.made.wait(lock, [&] { return known.mistakes.empty() || !known.prints.checks.empty(); });
+    return known.prints;
 }
 
-check::Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
+DrawnProgram MistakeNames::draw(const MistakeInfo& mistake) const {
     const Manifest& manifest = views_.manifest();
     CourseFiles files = edited(mistake.edits);
     files.merge(solution_files(manifest));  // keeps the edited files
-    std::vector<bool> checks;
-    for (const CheckInfo& check : manifest.checks) checks.push_back(check.task == mistake.task);
-    const DrawnChecks drawn = views_.draw(files, checks, WhichViews::own);
-    check::Samples samples;
-    for (size_t i = 0; i < checks.size(); ++i)
-        if (checks[i]) samples.emplace(i, sample_of(drawn.checks[i].own));
-    return samples;
+    const std::vector<size_t> checks = checks_with_fingerprints(manifest, mistake.task);
+    std::vector<bool> wanted(manifest.checks.size());
+    for (const size_t check : checks) wanted[check] = true;
+    const DrawnChecks drawn = views_.draw(files, wanted, WhichViews::own);
+    DrawnProgram program;
+    for (const size_t check : checks) program.push_back(whole_sample(drawn.checks[check].own));
+    return program;
 }
 
-/// Returns the agreement with a mistake over all compared checks: among the values that differ from the solution, the
-/// share in which the drawing matches the mistake. Returns 0 if a check does not match. (A check may pass in its own
-/// view, which is compared, and fail in a hidden one.)
-double MistakeNames::agreement(const Signature& signature, const std::vector<check::Sample>& drawn,
-                               const std::vector<bool>& compared) const {
-    check::Likeness sum;
-    for (const auto& [check, sample] : signature.samples) {
-        if (!compared[check] || views_.manifest().checks[check].shot.calls) continue;  // a few calls are no picture
-        const bool is_probe(views_.manifest().checks[check].shot.probe);
-        const check::Likeness one = check::likeness(drawn[check], sample, solution_[check], is_probe);
-        if (!check::is_like(one, true)) return 0;
-        sum.differ += one.differ;
-        sum.agree += one.agree;
-    }
-    return sum.share();
-}
-
-std::optional<NamedMistake> MistakeNames::name(const std::string& task, const DrawnChecks& drawn,
-                                               const std::vector<bool>& compared) const {
+std::optional<check::NamedMistake> MistakeNames::name(const std::string& task, const std::vector<check::Verdict>& said,
+                                                      const DrawnChecks& drawn,
+                                                      const std::vector<bool>& compared) const {
     const Manifest& manifest = views_.manifest();
     // Only a picture, or an error reported by the lab itself, can match a mistake.
-    bool any = false;
-    for (size_t i = 0; i < manifest.checks.size(); ++i)
-        any |= manifest.checks[i].task == task && compared[i] && drawn.checks[i].own.told;
-    if (!any) return {};
-    std::vector<check::Sample> samples;
-    for (const DrawnViews& one : drawn.checks) samples.push_back(sample_of(one.own));
-    const MistakeInfo* best = nullptr;
-    double best_agreement = 0;
-    for (const Signature& signature : signatures(task)) {
-        const double share = agreement(signature, samples, compared);
-        if (share <= best_agreement) continue;
-        best_agreement = share;
-        best = signature.mistake;
+    std::vector<size_t> checks = checks_with_fingerprints(manifest, task);
+    std::erase_if(checks, [&](size_t check) { return !compared[check]; });
+    if (std::none_of(checks.begin(), checks.end(), [&](size_t check) { return drawn.checks[check].own.told; }))
+        return {};
+    const check::Fingerprints& known = fingerprints(task);
+    check::Samples samples;
+    for (const size_t check : checks) {
+        const DrawnAttempt& own = drawn.checks[check].own;
+        const auto places = known.checks.find(check);
+        if (places != known.checks.end())
+            samples[check] = check::sample_at(own.image.value_or(Image()), own.error, places->second.values);
     }
-    if (!best) return {};
-    return NamedMistake{best->id, hint_with_same(manifest, *best)};
+    const auto named = check::name_mistakes(known, manifest, said, samples);
+    const auto found = named.find(task);
+    if (found == named.end()) return {};
+    return check::NamedMistake{found->second.mistake->id, found->second.mistake->hint, found->second.is_certain};
 }
 
 }  // namespace relief::grade

@@ -13,7 +13,7 @@ namespace relief::grade {
 /// The pair of images that shows a mistake best.
 struct MistakePicture {
     const CheckInfo* check = nullptr;        ///< of the mistake's task
-    check::Judgement said = {};              ///< the check's verdict about the mistake
+    check::Verdict said = {};                ///< the check's verdict about the mistake
     bool is_probe = false;                   ///< the images are the check's probe, not pictures
     const GoldenInfo* screenshot = nullptr;  ///< the images have the view of this screenshot instead of the check's
     Image right = {}, wrong = {};            ///< `wrong` is empty if the mistake draws nothing: see `said`

@@ -9,29 +9,30 @@
 #include <set>
 #include <string_view>
 
+#include "framework/core/base/code_text.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/glsl_text.h"
 #include "framework/course/check/starter.h"
 
 namespace relief::grade {
 namespace {
 
-struct Token {
-    enum Kind { name, number, sign } kind;
-    size_t begin, end;  ///< positions in the text
-};
-
-bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// The tokens of a piece of code, without comments, strings and preprocessor lines.
+/// The tokens of a piece of code, without comments, literals and preprocessor lines. An operator is one token.
 class Tokens {
 public:
     Tokens(const std::string& text, size_t begin, size_t end) : text_(text) {
-        for (size_t i = begin; i < end;) i = take(i, end);
+        for (CodeToken& token : code_tokens(text.substr(begin, end - begin))) {
+            token.begin += begin, token.end += begin;
+            if (token.kind == CodeToken::literal) continue;
+            if (token.kind == CodeToken::symbol && !list_.empty() && is_operator(list_.back(), token))
+                list_.back().end = token.end;
+            else
+                list_.push_back(std::move(token));
+        }
     }
     size_t size() const { return list_.size(); }
-    const Token& operator[](size_t i) const { return list_[i]; }
+    const CodeToken& operator[](size_t i) const { return list_[i]; }
     std::string_view text(size_t i) const {
         if (i >= list_.size()) return {};
         return std::string_view(text_).substr(list_[i].begin, list_[i].end - list_[i].begin);
@@ -50,37 +51,15 @@ public:
     }
 
 private:
-    size_t take(size_t i, size_t end) {
-        const auto here = [&](std::string_view word) { return text_.compare(i, word.size(), word) == 0; };
-        if (here("//") || text_[i] == '#') return std::min(text_.find('\n', i), end);
-        if (here("/*")) return std::min(text_.find("*/", i), end - 2) + 2;
-        if (std::isspace(static_cast<unsigned char>(text_[i]))) return i + 1;
-        if (text_[i] == '"' || text_[i] == '\'') {
-            size_t j = i + 1;
-            while (j < end && text_[j] != text_[i]) j += text_[j] == '\\' ? 2 : 1;
-            return j + 1;
-        }
-        size_t j = i + 1;
-        Token::Kind kind = Token::sign;
-        if (is_digit(text_[i]) || (text_[i] == '.' && j < end && is_digit(text_[j]))) {
-            kind = Token::number;
-            while (j < end && (is_name_character(text_[j]) || text_[j] == '.' ||
-                               ((text_[j] == '-' || text_[j] == '+') && (text_[j - 1] == 'e' || text_[j - 1] == 'E'))))
-                ++j;
-        } else if (is_name_character(text_[i])) {
-            kind = Token::name;
-            while (j < end && is_name_character(text_[j])) ++j;
-        } else {
-            for (const char* pair :
-                 {"+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "++", "--", "::", "->", "<<", ">>"})
-                if (here(pair)) j = i + 2;
-        }
-        list_.push_back({kind, i, j});
-        return j;
+    /// Returns whether the two symbols together are an operator.
+    static bool is_operator(const CodeToken& first, const CodeToken& second) {
+        static const std::set<std::string> pairs = {
+            "+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "++", "--", "::", "->", "<<", ">>"};
+        return first.end == first.begin + 1 && second.begin == first.end && pairs.contains(first.text + second.text);
     }
 
     const std::string& text_;
-    std::vector<Token> list_;
+    std::vector<CodeToken> list_;
 };
 
 constexpr std::array<std::pair<const char*, const char*>, 22> operators = {{
@@ -237,7 +216,7 @@ private:
         const Tokens tokens(arguments, 0, arguments.size());
         std::string names;
         for (size_t i = 1; i < tokens.size(); ++i)
-            if (tokens[i].kind == Token::name &&
+            if (tokens[i].kind == CodeToken::word &&
                 (i + 1 == tokens.size() || tokens.is(i + 1, ",") || tokens.is(i + 1, "[")))
                 names += (names.empty() ? "" : ", ") + std::string(tokens.text(i));
         const std::vector<Leaf> leaves = leaves_of(type, structs);
@@ -271,13 +250,13 @@ private:
     }
 
     void token(const Tokens& tokens, size_t i) {
-        const Token& here = tokens[i];
+        const CodeToken& here = tokens[i];
         const std::string_view word = tokens.text(i);
-        if (here.kind == Token::number) {
+        if (here.kind == CodeToken::number) {
             constant(tokens, i);
-        } else if (here.kind == Token::sign) {
+        } else if (here.kind == CodeToken::symbol) {
             const bool has_left =
-                i > 0 && (tokens[i - 1].kind != Token::sign || tokens.is(i - 1, ")") || tokens.is(i - 1, "]")) &&
+                i > 0 && (tokens[i - 1].kind != CodeToken::symbol || tokens.is(i - 1, ")") || tokens.is(i - 1, "]")) &&
                 !tokens.is(i - 1, "return");
             if (word == "-" && !has_left) return add("sign", here.begin, here.end, "");
             for (const auto& [was, now] : operators)
@@ -291,7 +270,7 @@ private:
     }
 
     void constant(const Tokens& tokens, size_t i) {
-        const Token& here = tokens[i];
+        const CodeToken& here = tokens[i];
         const std::string word(tokens.text(i));
         if (word.find_first_of(".eE") == std::string::npos || word.starts_with("0x")) {
             long value = 0;
@@ -317,7 +296,7 @@ private:
         constant(0);
     }
 
-    void swizzle(const Token& here, std::string_view word) {
+    void swizzle(const CodeToken& here, std::string_view word) {
         for (const std::string_view set : {"xyzw", "rgba", "stpq"}) {
             if (word.size() > 4 || word.find_first_not_of(set) != std::string_view::npos) continue;
             if (word.size() == 1) {
@@ -382,11 +361,12 @@ private:
 
     /// Drops an assignment: `x = 1;`, `x[i] += 2;`, but neither `float x = 1;` nor `return`.
     void statement(const Tokens& tokens, size_t i) {
-        if (tokens[i].kind != Token::name || has(no_calls, tokens.text(i)) || tokens.is(i, "const")) return;
+        if (tokens[i].kind != CodeToken::word || has(no_calls, tokens.text(i)) || tokens.is(i, "const")) return;
         size_t end = i, assigns = 0;
         for (; end < tokens.size() && !tokens.is(end, ";"); ++end) {
             if (tokens.is(end, "{") || tokens.is(end, "}")) return;
-            if (assigns == 0 && end > i && tokens[end].kind == Token::name && tokens[end - 1].kind == Token::name)
+            if (assigns == 0 && end > i && tokens[end].kind == CodeToken::word &&
+                tokens[end - 1].kind == CodeToken::word)
                 return;  // a declaration
             const std::string_view word = tokens.text(end);
             assigns += word == "=" || word == "+=" || word == "-=" || word == "*=" || word == "/=";

@@ -151,11 +151,12 @@ private:
         submission.files[file] = result.mutant.text;
         const LabMark mark = grader_.mark(submission, nullptr, false);
         bool own = false, all_broken = true;
-        for (const TaskMark& task : mark.tasks) {
-            const bool is_own = task.id == result.mutant.task, lost = task.points < task.of;
+        for (const check::TaskVerdict& task : mark.tasks) {
+            const bool is_own = task.id == result.mutant.task, lost = task.points() < task.of;
             own |= is_own && lost;
             result.accused |= !is_own && lost;
-            for (const CheckMark& check : task.checks) all_broken &= !is_own || check.outcome == check::Outcome::broken;
+            for (const check::Verdict& check : task.checks)
+                all_broken &= !is_own || check.outcome == check::Outcome::broken;
         }
         if (own)
             result.fate = all_broken ? MutantFate::invalid : MutantFate::killed;

@@ -17,6 +17,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/course/check/starter.h"
+#include "framework/staff/grade/authorship.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/grade/strangers_text.h"
 #include "framework/staff/grade/submission.h"
@@ -276,31 +277,41 @@ private:
     std::map<std::pair<size_t, size_t>, double> bits_;
 };
 
-/// Reads submissions, and remembers what cannot be compared.
+/// Reads submissions, and remembers the files that cannot be compared.
 class AuthorReader {
 public:
     AuthorReader(OriginalityReport& report, std::set<std::string> wanted)
         : report_(report), wanted_(std::move(wanted)) {}
 
-    void read(const std::vector<fs::path>& paths, const std::string& folder, Progress& progress) {
-        std::map<std::string, int> count;
-        for (const fs::path& path : paths) ++count[submission_name(path)];
-        for (const fs::path& path : paths) {
-            progress.next("reading");
-            Submission submission = read_submission(path, wanted_);
-            Author& author = report_.authors.emplace_back();
-            author.name = count[submission.name] > 1 ? printable(path.string()) : folder + printable(submission.name);
-            author.is_earlier = !folder.empty();
-            author.files = std::move(submission.files);
-            if (!submission.problem.empty()) author.problems.push_back(submission.problem);
-            if (!submission.doubt.empty()) author.problems.push_back(submission.doubt);
-            for (const auto& [file, reason] : submission.refused) author.problems.push_back(file + ": " + reason);
-            if (submission.problem.empty() && author.files.empty() && submission.refused.empty())
-                author.problems.push_back("there is no task file in it");
-        }
+    void read(const std::vector<fs::path>& paths, const std::string& folder, const ClassFile& policy,
+              Progress& progress) {
+        const HandIns hand_ins = hand_ins_of(paths, policy);
+        for (const HandIn& hand_in : hand_ins.all)
+            add(read_submission(hand_in.name, hand_in.parts, wanted_), folder + printable(hand_in.name), hand_in,
+                folder, progress);
+        // Of equal names, all are compared, since each may be of somebody else.
+        for (const HandIns::Doubled& one : hand_ins.doubled)
+            for (const fs::path& path : one.paths)
+                add(read_submission(path, wanted_), printable(path.string()), {}, folder, progress);
     }
 
 private:
+    void add(Submission submission, const std::string& name, const HandIn& hand_in, const std::string& folder,
+             Progress& progress) {
+        progress.next("reading");
+        Author& author = report_.authors.emplace_back();
+        author.name = name;
+        author.team = hand_in.team;
+        author.is_earlier = !folder.empty();
+        author.files = std::move(submission.files);
+        author.problems = hand_in.remarks;
+        if (!submission.problem.empty()) author.problems.push_back(submission.problem);
+        author.problems.insert(author.problems.end(), submission.remarks.begin(), submission.remarks.end());
+        for (const auto& [file, reason] : submission.refused) author.problems.push_back(file + ": " + reason);
+        if (submission.problem.empty() && author.files.empty() && submission.refused.empty())
+            author.problems.push_back("there is no task file in it");
+    }
+
     OriginalityReport& report_;
     std::set<std::string> wanted_;
 };
@@ -419,6 +430,11 @@ private:
             for (const auto& [pair, bits] : task.bits())
                 if (bits > task_toll_bits) sums[pair] += bits - task_toll_bits;
         for (const auto& [pair, bits] : sums) {
+            const Author &one_author = report_.authors[pair.first], &other = report_.authors[pair.second];
+            if (!one_author.team.empty() && one_author.team == other.team) {
+                report_.of_teams += bits >= report_.alarm_bits;
+                continue;
+            }
             if (bits < report_.alarm_bits) {
                 report_.below_alarm_bits = std::max(report_.below_alarm_bits, bits);
                 continue;
@@ -486,7 +502,7 @@ double bits_of_copy(const std::vector<double>& weights, const Having& b, const s
 }
 
 OriginalityReport compare_class(const std::vector<fs::path>& paths, const std::vector<fs::path>& earlier,
-                                const std::vector<const LabEntry*>& labs) {
+                                const std::vector<const LabEntry*>& labs, const ClassFile& policy) {
     const Stopwatch watch;
     OriginalityReport report;
     std::vector<std::pair<const LabEntry*, Manifest>> compared;
@@ -503,8 +519,9 @@ OriginalityReport compare_class(const std::vector<fs::path>& paths, const std::v
     {
         Progress progress{int(count)};
         AuthorReader reader(report, wanted);
-        reader.read(paths, "", progress);
-        for (size_t i = 0; i < earlier.size(); ++i) reader.read(before[i], submission_name(earlier[i]) + "/", progress);
+        reader.read(paths, "", policy, progress);
+        for (size_t i = 0; i < earlier.size(); ++i)
+            reader.read(before[i], submission_name(earlier[i]) + "/", {}, progress);
     }
     ClassComparison comparison(report);
     {

@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "framework/core/lab/registry.h"
+#include "framework/staff/grade/class_file.h"
 
 namespace relief::grade {
 
 /// A submission whose code is compared.
 struct Author {
     std::string name;                          ///< printable; several submissions of one name have their paths
+    std::string team = {};                     ///< two members of a team are no pair; empty: none
     bool is_earlier = false;                   ///< from an earlier class: compared with this one's only
     std::map<std::string, std::string> files;  ///< the text of task files, by their paths in the course
     std::vector<std::string> problems;         ///< why it, or a file of it, is not compared
@@ -46,7 +48,7 @@ struct SimilarPair {
     double bits = 0;                  ///< sum over the tasks of the bits beyond task_toll_bits
     double by_chance = 0;             ///< expected number of such pairs in a class of independent authors
     int cluster = 0;                  ///< counted from 1
-    std::vector<SharedTask> tasks;    ///< the most surprising first
+    std::vector<SharedTask> tasks;    ///< by surprise, largest first
 };
 
 struct ComparedTask {
@@ -60,9 +62,10 @@ struct ComparedTask {
 struct OriginalityReport {
     std::vector<Author> authors;
     std::vector<ComparedTask> tasks;
-    std::vector<SimilarPair> pairs;             ///< at least `alarm_bits`, the most surprising first
+    std::vector<SimilarPair> pairs;             ///< at least `alarm_bits`, by surprise, largest first
     std::vector<std::vector<size_t>> clusters;  ///< authors connected by pairs; cluster n is at n - 1
     size_t compared = 0;                        ///< number of pairs of submissions
+    size_t of_teams = 0;                        ///< of these, how many are of one team and not listed
     double alarm_bits = 0;                      ///< a pair with fewer is not listed
     double below_alarm_bits = 0;                ///< the most surprising pair that is not listed
     size_t usual_count = 0;                     ///< code that more of the others have is not rare
@@ -83,11 +86,12 @@ using Having = std::vector<bool>;
 double bits_of_copy(const std::vector<double>& weights, const Having& b, const std::vector<const Having*>& others);
 
 /// Reads and compares the submissions at `paths`, and the earlier ones: each entry of a folder in `earlier` is a
-/// submission. `labs` empty: all labs. Throws UsageError if there are fewer than two submissions to compare, and for a
-/// folder in `earlier` that is none or empty. Never throws because of a submission's content.
+/// submission. `policy` has the roster with its teams. `labs` empty: all labs. Throws UsageError if there are fewer
+/// than two submissions to compare, and for a folder in `earlier` that is none or empty. Never throws because of a
+/// submission's content.
 OriginalityReport compare_class(const std::vector<std::filesystem::path>& paths,
                                 const std::vector<std::filesystem::path>& earlier,
-                                const std::vector<const LabEntry*>& labs);
+                                const std::vector<const LabEntry*>& labs, const ClassFile& policy = {});
 
 /// Returns the lines as text: "12-15, 20".
 std::string lines_of(const SharedSide& side);

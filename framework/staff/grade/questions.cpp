@@ -15,7 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
 #include "framework/course/check/lone_function.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/check/task_text.h"
 #include "framework/staff/grade/variation.h"
 
 namespace relief::grade {
@@ -208,7 +208,10 @@ private:
             return;
         }
         files_[task.file] = own->second;
-        if (!check::is_unfinished(own->second, task.id)) asked_.push_back(&task);
+        if (const std::string missing = check::missing_text(own->second, task); !missing.empty())
+            result_.problem = missing;
+        else if (!check::is_unfinished(own->second, task))
+            asked_.push_back(&task);
     }
 
     bool is_asked(const std::string& task) const {
@@ -218,7 +221,8 @@ private:
     void draw_checks() {
         const std::vector<CheckInfo>& checks = manifest_.checks;
         std::vector<bool> wanted;
-        for (const CheckInfo& check : checks) wanted.push_back(!check.hidden && is_asked(check.task));
+        for (const CheckInfo& check : checks)
+            wanted.push_back(!check.hidden && !check.shot.calls && is_asked(check.task));
         drawn_ = maker_.views_.draw(files_, wanted, WhichViews::own);
         for (size_t i = 0; i < checks.size(); ++i)
             if (wanted[i] && drawn_.checks[i].own.image) usable_.push_back(i);
@@ -235,7 +239,7 @@ private:
     /// A check of which values are asked.
     struct Noted {
         size_t check;
-        check::Judgement said;
+        check::Verdict said;
         bool lost = false;  ///< it fails through its own task, and its pixels are wrong
         check::NotedShot shot = {};
     };
@@ -243,12 +247,12 @@ private:
     /// Returns the checks to ask about: those that fail come first, the others are in a seeded order.
     std::vector<Noted> noted_checks() const {
         std::vector<Noted> noted;
-        std::vector<check::Judgement> said(manifest_.checks.size(), {check::Outcome::passed});
+        std::vector<check::Verdict> said(manifest_.checks.size(), {check::Outcome::passed});
         for (const size_t i : usable_) said[i] = maker_.views_.judge(maker_.views_.own(i, drawn_));
         // A check that waits for another task costs no mark of its own.
-        const std::vector<check::TaskIds> first = check::put_right_first(manifest_, said);
+        const std::vector<check::Cause> causes = check::causes_of(manifest_, said);
         for (const size_t i : usable_)
-            noted.push_back({i, said[i], said[i].outcome == check::Outcome::wrong && first[i].empty()});
+            noted.push_back({i, said[i], said[i].outcome == check::Outcome::wrong && causes[i].first.empty()});
         std::mt19937 dice = dice_of(seed_ + "|checks");
         shuffle(noted, dice);
         std::stable_partition(noted.begin(), noted.end(), [](const Noted& one) { return one.lost; });
@@ -294,7 +298,7 @@ private:
 
     bool is_of_task(const check::LoneCall& call, const std::string& task) const {
         return call.file == manifest_.task(task).file && call.line > 0 &&
-               check::task_at_line(files_.at(call.file), size_t(call.line)) == task;
+               check::task_at_line(files_.at(call.file), manifest_.tasks, call.file, size_t(call.line)) == task;
     }
 
     void add_value(const Noted& noted, glm::ivec2 pixel, const check::LoneCall& call) {
@@ -366,7 +370,9 @@ private:
     std::vector<Mutant> sampled_mutants(const TaskInfo& task) const {
         const std::string& text = files_.at(task.file);
         std::vector<Mutant> all = line_mutants_of(text);
-        std::erase_if(all, [&](const Mutant& one) { return check::task_at_line(text, size_t(one.line)) != task.id; });
+        std::erase_if(all, [&](const Mutant& one) {
+            return check::task_at_line(text, manifest_.tasks, task.file, size_t(one.line)) != task.id;
+        });
         std::mt19937 dice = dice_of(seed_ + "|" + task.id);
         shuffle(all, dice);
         std::set<int> lines;

@@ -9,6 +9,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
+#include "framework/course/check/verdict_json.h"
 
 namespace relief::grade {
 namespace {
@@ -22,48 +23,6 @@ std::string dump(const ordered_json& json) {
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-ordered_json as_json(const CheckMark& check) {
-    return {{"name", check.name},   {"outcome", name_of(check.outcome)},
-            {"found", check.found}, {"look_at", check.look_at},
-            {"view", check.view},   {"hidden", check.hidden}};
-}
-CheckMark check_from(const ordered_json& json) {
-    return {.name = json.at("name"),
-            .outcome = check::outcome_of(json.at("outcome").get<std::string>()),
-            .found = json.at("found"),
-            .look_at = json.at("look_at"),
-            .view = json.at("view"),
-            .hidden = json.at("hidden")};
-}
-
-ordered_json as_json(const TaskMark& task) {
-    ordered_json json = {
-        {"id", task.id}, {"title", task.title},     {"file", task.file}, {"points", task.points},
-        {"of", task.of}, {"mistake", task.mistake}, {"hint", task.hint}, {"checks", ordered_json::array()}};
-    for (const CheckMark& check : task.checks) json["checks"].push_back(as_json(check));
-    return json;
-}
-TaskMark task_from(const ordered_json& json) {
-    TaskMark task{.id = json.at("id"),
-                  .title = json.at("title"),
-                  .file = json.at("file"),
-                  .of = json.at("of"),
-                  .points = json.at("points"),
-                  .checks = {},
-                  .mistake = json.at("mistake"),
-                  .hint = json.at("hint")};
-    size_t passed = 0;
-    for (const ordered_json& check : json.at("checks")) {
-        task.checks.push_back(check_from(check));
-        passed += task.checks.back().outcome == check::Outcome::passed;
-    }
-    const double earned = task.of * double(passed) / double(std::max<size_t>(task.checks.size(), 1));
-    if (task.of < 0 || !(std::abs(task.points - earned) < 1e-6))
-        throw Error(fmt::format("task {} has {} of {} points, with {} of {} checks passed", printable(task.id),
-                                task.points, task.of, passed, task.checks.size()));
-    return task;
-}
-
 ordered_json as_json(const LabMark& lab) {
     ordered_json json = {
         {"lab", lab.lab},
@@ -72,7 +31,7 @@ ordered_json as_json(const LabMark& lab) {
         {"seconds", {{"compile", lab.times.compile}, {"draw", lab.times.draw}, {"compare", lab.times.compare}}},
         {"log", lab.log},
         {"tasks", ordered_json::array()}};
-    for (const TaskMark& task : lab.tasks) json["tasks"].push_back(as_json(task));
+    for (const check::TaskVerdict& task : lab.tasks) json["tasks"].push_back(check::as_json(task));
     if (!lab.kept.empty()) json["kept"] = lab.kept;
     return json;
 }
@@ -83,7 +42,7 @@ LabMark lab_from(const ordered_json& json) {
                 .log = json.at("log"),
                 .times = {seconds.at("compile"), seconds.at("draw"), seconds.at("compare")},
                 .kept = json.value("kept", "")};
-    for (const ordered_json& task : json.at("tasks")) lab.tasks.push_back(task_from(task));
+    for (const ordered_json& task : json.at("tasks")) lab.tasks.push_back(check::task_from(task));
     return lab;
 }
 
@@ -117,7 +76,7 @@ std::string file_name_of(const std::string& name) {
     return plain == name && !name.empty() ? plain : plain + "-" + sha256(name).substr(0, 8);
 }
 
-std::string found_for_students(const CheckMark& check) {
+std::string found_for_students(const check::Verdict& check) {
     if (check.hidden) return {};
     return check.view.empty() ? check.found : "correct in the view that you know, but not in another one";
 }
@@ -135,6 +94,7 @@ std::string to_json(const SubmissionMark& mark) {
                          {"seconds", mark.seconds},
                          {"ignored", mark.ignored},
                          {"ignored_count", mark.ignored_count},
+                         {"remarks", mark.remarks},
                          {"labs", ordered_json::array()}};
     for (const LabMark& lab : mark.labs) json["labs"].push_back(as_json(lab));
     return dump(json);
@@ -152,6 +112,7 @@ SubmissionMark from_json(const std::string& text) try {
     mark.seconds = json.at("seconds");
     mark.ignored = json.at("ignored").get<std::vector<std::string>>();
     mark.ignored_count = json.at("ignored_count");
+    mark.remarks = json.value("remarks", mark.remarks);
     for (const ordered_json& lab : json.at("labs")) mark.labs.push_back(lab_from(lab));
     return mark;
 } catch (const nlohmann::json::exception&) {

@@ -17,6 +17,7 @@ struct SubmissionMark {
     std::string problem;       ///< why nothing could be read, or empty
     std::vector<std::string> ignored;
     size_t ignored_count = 0;
+    std::vector<std::string> remarks = {};  ///< printable: which of several files counts, which has a wrong name
     std::vector<LabMark> labs;
     double seconds = 0;  ///< seconds from reading the submission to its mark
 
@@ -33,7 +34,7 @@ std::string file_name_of(const std::string& name);
 
 /// Returns the part of `check.found` that the student may read: nothing for a hidden check; for a hidden view only the
 /// fact that it was hidden.
-std::string found_for_students(const CheckMark& check);
+std::string found_for_students(const check::Verdict& check);
 
 /// Convert the complete result, schema 1. from_json() throws Error for any other text, and if the points do not follow
 /// from the checks.

@@ -60,10 +60,18 @@ std::string to_json(const Roster& roster) {
                          {"seed", utf8_of_bytes(roster.seed)},
                          {"labs", roster.labs},
                          {"solution_cpu_seconds", roster.solution_cpu},
-                         {"submissions", ordered_json::array()}};
-    for (const Roster::One& one : roster.submissions)
+                         {"submissions", ordered_json::array()},
+                         {"given", ordered_json::array()}};
+    for (const Roster::One& one : roster.submissions) {
+        ordered_json parts = ordered_json::array();
+        for (const SubmissionPart& part : one.parts)
+            parts.push_back({{"path", utf8_of_bytes(part.path.string())},
+                             {"file", utf8_of_bytes(part.file)},
+                             {"upload", part.upload}});
         json["submissions"].push_back(
-            {{"name", utf8_of_bytes(one.name)}, {"hash", one.hash}, {"path", utf8_of_bytes(one.path.string())}});
+            {{"name", utf8_of_bytes(one.name)}, {"hash", one.hash}, {"parts", parts}, {"remarks", one.remarks}});
+    }
+    for (const fs::path& path : roster.given) json["given"].push_back(utf8_of_bytes(path.string()));
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -80,9 +88,17 @@ std::optional<Roster> read_roster(const fs::path& folder) {
         if (json.contains("solution_cpu_seconds")) json.at("solution_cpu_seconds").get_to(roster.solution_cpu);
         if (!json.at("submissions").is_array())
             throw Error({file}, "has no list of submissions: remove it, or use a new folder");
-        for (const ordered_json& one : json.at("submissions"))
-            roster.submissions.push_back({bytes_of_utf8(one.at("name").get<std::string>()), one.at("hash"),
-                                          bytes_of_utf8(one.at("path").get<std::string>())});
+        for (const ordered_json& one : json.at("submissions")) {
+            Roster::One& read = roster.submissions.emplace_back();
+            read.name = bytes_of_utf8(one.at("name").get<std::string>());
+            read.hash = one.at("hash");
+            read.remarks = one.value("remarks", read.remarks);
+            for (const ordered_json& part : one.at("parts"))
+                read.parts.push_back({bytes_of_utf8(part.at("path").get<std::string>()),
+                                      bytes_of_utf8(part.at("file").get<std::string>()), part.at("upload")});
+        }
+        for (const ordered_json& path : json.value("given", ordered_json::array()))
+            roster.given.push_back(bytes_of_utf8(path.get<std::string>()));
         return roster;
     } catch (const ordered_json::exception&) {
         throw Error({file}, "is no roster of a class: remove it, or use a new folder");

@@ -8,12 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "framework/staff/grade/submission.h"
+
 namespace relief::grade {
 
 struct Roster {
     struct One {
-        std::string name, hash;      ///< of the submission
-        std::filesystem::path path;  ///< absolute
+        std::string name, hash;                 ///< of the submission
+        std::vector<SubmissionPart> parts;      ///< with absolute paths
+        std::vector<std::string> remarks = {};  ///< see HandIn
+
         bool operator==(const One&) const = default;
     };
     std::string course;             ///< hash of everything except the submission that decides a mark, including the
@@ -21,6 +25,7 @@ struct Roster {
     std::string seed;               ///< of the hidden views, or empty
     std::vector<std::string> labs;  ///< folders; empty: for each submission the labs whose files it has
     std::vector<One> submissions;   ///< in the order of the command line
+    std::vector<std::filesystem::path> given = {};  ///< all paths of the command line, absolute
     /// Seconds of processor time of a lab's solution, by folder. Measured once, by the run that started the class.
     std::map<std::string, double> solution_cpu = {};
 };

@@ -8,7 +8,6 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
-#include "framework/course/check/drawing.h"
 #include "framework/staff/grade/control_group.h"
 #include "framework/staff/grade/system_calls.h"
 
@@ -147,14 +146,12 @@ ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement) {
     } else if (wrapped && !result.stopped && result.ending != Ending::failed) {
         int code = result.code;
         if (find_exit_code(result.report, code)) {
-            result.exit_with(code);
+            result.exit_with(code, job.limits.cpu);
         } else {
             result.ending = Ending::failed;
             if (result.errors.empty()) result.errors = fmt::format("bubblewrap ended with {}", code);
         }
     }
-    if (result.ending == Ending::exited && result.code == check::out_of_memory_code)
-        result.ending = Ending::out_of_memory;
     return result;
 }
 

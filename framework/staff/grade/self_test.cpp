@@ -23,9 +23,9 @@ Submission submission_of(CourseFiles files) {
 }
 
 /// Lists all checks whose outcome is not `expected`.
-std::string told(const TaskMark& task, check::Outcome expected) {
+std::string told(const check::TaskVerdict& task, check::Outcome expected) {
     std::string text;
-    for (const CheckMark& check : task.checks)
+    for (const check::Verdict& check : task.checks)
         if (check.outcome != expected)
             text += fmt::format("; {}: {} ({})", check.name, name_of(check.outcome), check.found);
     return text;
@@ -64,7 +64,8 @@ public:
             steps.push_back({manifest.mistakes[i].id, [&, i] { mistake(manifest.mistakes[i]); }});
         const std::vector<size_t> examples = sample_of(manifest.examples.size(), options_.sample);
         for (const size_t i : examples)
-            steps.push_back({"words of task " + manifest.examples[i].task, [&, i] { example(manifest.examples[i]); }});
+            if (const ExampleInfo& info = manifest.examples[i]; !info.edits.empty())
+                steps.push_back({"words of task " + info.task, [&] { example(info); }});
         for (const size_t i : equivalents)
             steps.push_back({manifest.equivalents[i].id, [&, i] { equivalent(manifest.equivalents[i]); }});
         result_.left_out =
@@ -97,8 +98,8 @@ private:
     void solution() {
         const LabMark mark = grader_.mark(submission_of(solution_));
         const std::lock_guard lock(mutex_);
-        for (const TaskMark& task : mark.tasks)
-            if (task.points != task.of)
+        for (const check::TaskVerdict& task : mark.tasks)
+            if (task.points() != task.of)
                 wrong(
                     fmt::format("the solution of task {} loses points{}", task.id, told(task, check::Outcome::passed)));
     }
@@ -108,20 +109,20 @@ private:
         for (const auto& [name, text] : solution_) files[name] = check::starter_of(text, name);
         const LabMark mark = grader_.mark(submission_of(files));
         const std::lock_guard lock(mutex_);
-        for (const TaskMark& task : mark.tasks)
-            if (task.points != 0)
+        for (const check::TaskVerdict& task : mark.tasks)
+            if (task.points() != 0)
                 wrong(fmt::format("the starter of task {} gets points{}", task.id,
                                   told(task, check::Outcome::unfinished)));
     }
 
     /// Other tasks are correct, so they must pass. Only a check that declares a dependence on the task may fail.
     void look_at_others(const MistakeInfo& info, const LabMark& mark) {
-        for (const TaskMark& task : mark.tasks) {
+        for (const check::TaskVerdict& task : mark.tasks) {
             if (task.id == info.task) continue;
             if (!task.mistake.empty())
                 wrong(fmt::format("'{}' is of task {}, and '{}' is named at task {}, which is right", info.id,
                                   info.task, task.mistake, task.id));
-            for (const CheckMark& check : task.checks) {
+            for (const check::Verdict& check : task.checks) {
                 if (check.outcome != check::Outcome::passed &&
                     !grader_.manifest().check(check.name).depends_on(info.task))
                     wrong(fmt::format("'{}' fails '{}' of task {}: neither its needs nor its leans_on have {}", info.id,
@@ -135,9 +136,9 @@ private:
         const std::lock_guard lock(mutex_);
         ++result_.mistakes;
         look_at_others(info, mark);
-        for (const TaskMark& task : mark.tasks) {
+        for (const check::TaskVerdict& task : mark.tasks) {
             if (task.id != info.task) continue;
-            if (!mark.graded() || task.points == task.of)
+            if (!mark.graded() || task.points() == task.of)
                 return wrong(fmt::format("'{}' is not caught{}", info.id, told(task, check::Outcome::unfinished)));
             ++result_.caught;
             if (options_.sample > 0) continue;
@@ -151,7 +152,7 @@ private:
     }
 
     void example(const ExampleInfo& info) {
-        const check::Judgement said = grader_.words_of(info.task, edited(info.edits));
+        const check::Verdict said = grader_.words_of(info, edited(info.edits));
         const std::lock_guard lock(mutex_);
         ++result_.examples;
         if (said.outcome == check::Outcome::wrong && said.look_at.find(info.asks) != std::string::npos) return;
@@ -164,8 +165,8 @@ private:
         const std::lock_guard lock(mutex_);
         ++result_.equivalents;
         bool right = true;
-        for (const TaskMark& task : mark.tasks) {
-            if (task.points == task.of) continue;
+        for (const check::TaskVerdict& task : mark.tasks) {
+            if (task.points() == task.of) continue;
             right = false;
             wrong(fmt::format("'{}' is right, and loses points of task {}{}", info.id, task.id,
                               told(task, check::Outcome::passed)));

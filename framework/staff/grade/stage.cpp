@@ -18,6 +18,7 @@
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
 #include "framework/course/check/starter.h"
+#include "framework/staff/grade/transplant.h"
 
 namespace relief::grade {
 namespace {
@@ -205,14 +206,14 @@ void Stage::must(const Words& command, const char* what) const {
 
 namespace {
 
-/// Returns the main program of a lab with C++ tasks, with the calls of its examples. It is compiled once, so an example
-/// costs a submission no time.
+/// Returns the main program of a lab with C++ tasks, with the calls of its hidden examples. It is compiled once, so an
+/// example costs a submission no time.
 std::string main_of(const Manifest& manifest, const std::string& includes, const CourseFiles& sources) {
     std::string text = includes;
     std::string calls;
     for (const ExampleInfo& example : manifest.examples) {
         const auto source = sources.find(manifest.task(example.task).file);
-        if (source == sources.end()) continue;
+        if (source == sources.end() || !example.hidden) continue;
         // An unqualified name means a function of the task.
         static const std::regex opening("\nnamespace ([a-z0-9_:]+) \\{");
         std::smatch found;
@@ -230,7 +231,7 @@ std::string main_of(const Manifest& manifest, const std::string& includes, const
         calls +
         "    return {};\n"
         "}\n"
-        "const decltype(value_of_call)::Provided provided(value_of_call, &value);\n"
+        "const ProvidedCalls provided(&value);\n"
         "}\n"
         "}\n"
         "int main(int, char** words) { relief::check::draw_request(words[3]); }\n";
@@ -238,6 +239,15 @@ std::string main_of(const Manifest& manifest, const std::string& includes, const
 }
 
 }  // namespace
+
+/// Compiles one of the course's own sources.
+void Stage::compile_ours(const LabEntry& lab, const fs::path& source, const fs::path& object,
+                         const Words& options) const {
+    Words command = compiler(lab);
+    command.insert(command.end(), options.begin(), options.end());
+    command.insert(command.end(), {"-c", source.string(), "-o", object.string()});
+    must(command, "compile the lab for its C++ tasks");
+}
 
 /// Prepares the headers, the lab's objects, and the library that students build. None of them contains an answer.
 void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part) {
@@ -259,17 +269,12 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
         for (const std::string& line : split(text, '\n'))
             if (line.starts_with("#include")) includes += line + '\n';
     put(include / precompiled, includes);
-    put(include / "main.cpp", main_of(manifest, includes, part.sources));
-
-    const auto compile = [&](const std::string& source, const fs::path& object, const Words& options) {
-        Words command = compiler(lab);
-        command.insert(command.end(), options.begin(), options.end());
-        command.insert(command.end(), {"-c", (include / source).string(), "-o", object.string()});
-        must(command, "compile the lab for its C++ tasks");
-    };
-    compile(precompiled, (include / precompiled).string() + ".gch", {"-x", "c++-header"});
+    compile_ours(lab, include / precompiled, (include / precompiled).string() + ".gch", {"-x", "c++-header"});
     part.objects.push_back(here / "main.o");
-    compile("main.cpp", part.objects.back(), {"-include", (include / precompiled).string()});
+    const fs::path main = folder_.path() / "programs/main.cpp";  // it has the text of hidden calls
+    write_file(main, main_of(manifest, includes, part.sources));
+    compile_ours(lab, main, part.objects.back(), {"-include", (include / precompiled).string()});
+    build_others(lab, manifest, part);
     for (const fs::path& object : built_objects(lab, part.sources)) {
         part.objects.push_back(here / object.filename());
         put(part.objects.back(), read_file(object));
@@ -282,7 +287,26 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
     part.readable = {here, textures(), folder_.path() / "assets", folder_.path() / "shaders"};
 }
 
-StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const {
+void Stage::build_others(const LabEntry& lab, const Manifest& manifest, LabPart& part) const {
+    const fs::path folder = folder_.path() / "programs",
+                   header = folder_.path() / "students" / lab.folder / "include" / precompiled;
+    const auto has_others = [&](const TaskInfo& task) {
+        return std::any_of(manifest.tasks.begin(), manifest.tasks.end(),
+                           [&](const TaskInfo& other) { return other.id != task.id && is_cpp(other.file); });
+    };
+    for (const TaskInfo& task : manifest.tasks) {
+        if (!is_cpp(task.file) || !has_others(task)) continue;
+        for (const auto& [file, text] : part.solutions) {
+            const fs::path object = folder / fmt::format("others-{}-{}.o", task.id, part.others[task.id].size()),
+                           source = folder / "others.cpp";
+            write_file(source, file == task.file ? without_task(text, manifest.tasks, task) : text);
+            compile_ours(lab, source, object, {"-include", header.string()});
+            part.others[task.id].push_back(object);
+        }
+    }
+}
+
+StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files, const std::string& alone) const {
     const LabPart& part = labs_.at(lab.folder);
     StagedCourse course;
     course.folder = std::make_unique<PublicFolder>(folder_.path() / "courses", "c");
@@ -292,7 +316,13 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
         return own == files.end() ? starter.second : own->second;
     };
     for (const auto& starter : part.shaders) put(root / starter.first, text(starter));
-    for (const auto& starter : part.sources) put(root / starter.first, text(starter));
+    for (const auto& starter : part.sources)
+        put(root / starter.first, alone.empty() || files.contains(starter.first) ? text(starter) : "");
+    if (const auto others = part.others.find(alone); others != part.others.end())
+        for (const fs::path& object : others->second) {
+            course.objects.push_back(root / object.filename());
+            put(course.objects.back(), read_file(object));
+        }
     put(root / "labs/README.md", "");  // the program recognises a course by labs/ and shaders/
     fs::create_directory_symlink(folder_.path() / "shaders/common", root / "shaders/common");
     fs::create_directory_symlink(folder_.path() / "assets", root / "assets");
@@ -331,6 +361,7 @@ Ending ending_of(const ProcessResult& compiler) {
 /// has other text.
 fs::path Stage::program_of_ours(const LabEntry& lab, const StagedCourse& course) const {
     const LabPart& part = labs_.at(lab.folder);
+    if (!course.objects.empty()) return {};
     std::string all = lab.folder;
     for (const auto& [file, starter] : part.sources) {
         const std::string text = read_file(course.folder->path() / file);
@@ -374,7 +405,8 @@ ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& cours
     for (const std::string& word : compiler(lab)) command.push_back(word);
     command.insert(command.end(), {"-include", (library / "include" / precompiled).string()});
     for (const auto& [source, starter] : part.sources) command.push_back(source);
-    for (const fs::path& object : part.objects) command.push_back(object.string());
+    for (const auto* const objects : {&part.objects, &course.objects})
+        for (const fs::path& object : *objects) command.push_back(object.string());
     for (const std::string& word :
          {(library / "librelief.so").string(), "-Wl,-rpath," + library.string(), std::string("-Wl,-z,lazy"),
           std::string("-Wl,--allow-shlib-undefined"), std::string("-lfmt")})

@@ -40,7 +40,8 @@ private:
 /// A lab's course for one submission.
 struct StagedCourse {
     std::unique_ptr<PublicFolder> folder;
-    std::filesystem::path program;                ///< draws with --course `folder`
+    std::vector<std::filesystem::path> objects = {};  ///< of the solutions that the program gets; see Stage::course()
+    std::filesystem::path program;                    ///< draws with --course `folder`
     std::filesystem::path libraries;              ///< the program's libraries; without /proc it cannot find them itself
     std::vector<std::filesystem::path> readable;  ///< folders that must be readable in the sandbox
 };
@@ -65,8 +66,9 @@ public:
     void add(const LabEntry& lab);
 
     /// Returns the lab's course with `files` in place of its task files. A missing task file is replaced by its
-    /// starter.
-    StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
+    /// starter. `alone`: the id of a C++ task, whose functions `files` have, and of no other C++ task. The program gets
+    /// the others' solutions as objects, without their text and without the task's own solution.
+    StagedCourse course(const LabEntry& lab, const CourseFiles& files, const std::string& alone = {}) const;
 
     /// Compiles the C++ tasks of a course into a program, and sets the course's program to it. Does nothing if the lab
     /// has no C++ tasks. A program that contains only starters and solutions is compiled once a run. `ending` is
@@ -82,12 +84,18 @@ private:
         CourseFiles sources;                         ///< C++ tasks' starters
         CourseFiles solutions;                       ///< of the C++ tasks
         std::vector<std::filesystem::path> objects;  ///< of the lab's other sources
+        /// By C++ task: the objects of the C++ solutions without the task's functions, in a folder that no submission
+        /// can read.
+        std::map<std::string, std::vector<std::filesystem::path>> others;
         std::vector<std::filesystem::path> readable;
     };
     void copy_programs();
     void copy_assets();
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part);
+    void build_others(const LabEntry& lab, const Manifest& manifest, LabPart& part) const;
+    void compile_ours(const LabEntry& lab, const std::filesystem::path& source, const std::filesystem::path& object,
+                      const std::vector<std::string>& options) const;
     std::filesystem::path program_of_ours(const LabEntry& lab, const StagedCourse& course) const;
     std::vector<std::string> compiler(const LabEntry& lab) const;
     ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double cpu, double wall) const;

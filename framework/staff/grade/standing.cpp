@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -37,10 +38,20 @@ std::vector<CountedLab> counted_labs(const std::vector<SubmissionMark>& marks, c
     for (const SubmissionMark& mark : marks)
         for (const LabMark& lab : mark.labs)
             if (const auto [entry, is_new] = graded.try_emplace(lab.lab); is_new)
-                for (const TaskMark& task : lab.tasks)
+                for (const check::TaskVerdict& task : lab.tasks)
                     entry->second.push_back({.id = task.id, .title = task.title, .file = task.file, .points = task.of});
     for (auto& [folder, tasks] : graded) labs.push_back({folder, std::move(tasks)});
     return labs;
+}
+
+std::string lab_number(const std::string& folder) { return folder.substr(0, folder.find('_')); }
+
+/// Returns the members of each team, in the order of the roster.
+std::map<std::string, std::vector<std::string>> members_of(const ClassFile& policy) {
+    std::map<std::string, std::vector<std::string>> teams;
+    for (const Student& one : policy.students)
+        if (!one.team.empty()) teams[one.team].push_back(one.student);
+    return teams;
 }
 
 class ClassOf {
@@ -51,21 +62,48 @@ public:
         for (const Student& student : policy.students) students_.emplace(student.student, &student);
         for (const Adjustment& one : policy.adjustments) adjustments_[one.student].push_back(one);
         for (const Extension& one : policy.extensions) extensions_[{one.student, one.lab}] = &one;
-        for (const HandIn& one : policy.hand_ins) hand_ins_.emplace(std::pair(one.student, one.lab), one.time);
+        for (const HandInTime& one : policy.hand_ins) hand_ins_.emplace(std::pair(one.student, one.lab), one.time);
+    }
+
+    /// Chooses the mark of each lab among the submissions of a team. `marks` is not empty.
+    void add_team(const std::string& name, const std::vector<std::string>& members,
+                  const std::vector<const SubmissionMark*>& marks, ClassStanding& result) {
+        Team team{.members = members, .mark = marks.front(), .sources = {}, .remarks = {}};
+        auto all = std::make_shared<SubmissionMark>(*marks.front());
+        all->labs.clear();
+        all->remarks.clear();
+        for (const SubmissionMark* one : marks) {
+            if (one->problem.empty()) all->problem.clear();
+            all->remarks.insert(all->remarks.end(), one->remarks.begin(), one->remarks.end());
+            for (const LabMark& lab : one->labs)
+                if (!team.sources.contains(lab.lab)) all->labs.push_back(chosen(name, lab.lab, marks, team));
+        }
+        if (marks.size() > 1) {
+            team.mark = all.get();
+            result.team_marks.push_back(all);
+        }
+        result.notes.insert(result.notes.end(), team.remarks.begin(), team.remarks.end());
+        for (const std::string& member : members) teams_[member] = std::make_shared<Team>(team);
     }
 
     Standing of(const std::string& name, const SubmissionMark* mark) const {
         const std::string key = printable(name);
         const auto student = students_.find(key);
-        Standing standing{
-            .name = name,
-            .student =
-                {.student = key, .name = {}, .email = {}, .login = {}, .canvas_id = {}, .sis_id = {}, .section = {}},
-            .on_roster = students_.empty() || student != students_.end(),
-            .mark = mark,
-            .labs = {},
-            .adjustments = {}};
+        Standing standing{.name = name,
+                          .student = {.student = key},
+                          .on_roster = students_.empty() || student != students_.end(),
+                          .mark = mark,
+                          .labs = {},
+                          .adjustments = {}};
         if (student != students_.end()) standing.student = *student->second;
+        if (const Team* const team = team_of(key)) {
+            mark = standing.mark = team->mark;
+            standing.sources = team->sources;
+            standing.team_remarks = team->remarks;
+            if (team->remarks.empty() && mark->name != name)
+                standing.team_remarks.push_back(fmt::format("the submission '{}' counts for team {}",
+                                                            printable(mark->name), printable(standing.student.team)));
+        }
         if (const auto adjusted = adjustments_.find(key); adjusted != adjustments_.end())
             for (const Adjustment& one : adjusted->second)
                 if (tasks_.contains(one.task)) standing.adjustments.push_back(one);
@@ -81,6 +119,55 @@ public:
     }
 
 private:
+    struct Team {
+        std::vector<std::string> members;
+        const SubmissionMark* mark = nullptr;
+        std::map<std::string, std::string> sources;  ///< see Standing
+        std::vector<std::string> remarks;
+    };
+
+    const Team* team_of(const std::string& student) const {
+        const auto found = teams_.find(student);
+        return found == teams_.end() ? nullptr : found->second.get();
+    }
+
+    /// Returns the mark of a lab that counts for a team, and remarks why.
+    LabMark chosen(const std::string& team_name, const std::string& lab,
+                   const std::vector<const SubmissionMark*>& marks, Team& team) const {
+        std::vector<const SubmissionMark*> with;
+        bool all_timed = true;
+        for (const SubmissionMark* one : marks)
+            if (one->lab(lab)) {
+                with.push_back(one);
+                all_timed &= time_of(printable(one->name), lab).has_value();
+            }
+        const auto is_better = [&](const SubmissionMark* a, const SubmissionMark* b) {
+            return all_timed ? *time_of(printable(a->name), lab) > *time_of(printable(b->name), lab)
+                             : a->lab(lab)->points() > b->lab(lab)->points();
+        };
+        std::stable_sort(with.begin(), with.end(), is_better);
+        team.sources[lab] = with.front()->name;
+        if (with.size() > 1) {
+            std::vector<std::string> others;
+            for (size_t i = 1; i < with.size(); ++i) others.push_back(printable(with[i]->name));
+            const bool is_clear = is_better(with[0], with[1]);
+            team.remarks.push_back(
+                fmt::format("lab {}: the submission '{}' counts for team {}, and not '{}': {}", lab_number(lab),
+                            printable(with.front()->name), printable(team_name), join(others, "', '"),
+                            !is_clear   ? "it comes first, and both are equal"
+                            : all_timed ? "it was handed in last"
+                                        : "it has the most points, since not all have a time in hand_ins"));
+        }
+        return *with.front()->lab(lab);
+    }
+
+    /// Returns when a submission of this name was handed in.
+    std::optional<Moment> time_of(const std::string& student, const std::string& lab) const {
+        for (const std::string& scope : {lab, std::string()})
+            if (const auto found = hand_ins_.find({student, scope}); found != hand_ins_.end()) return found->second;
+        return {};
+    }
+
     /// Returns the standing of a student in a lab. Sets the points of each adjustment to the points that it adds.
     LabStanding of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
                    std::vector<Adjustment>& adjustments) const {
@@ -97,8 +184,8 @@ private:
         for (const TaskInfo& info : counted.tasks) {
             TaskStanding task{.id = info.id, .title = info.title, .of = info.points};
             if (graded && lab.marked)
-                for (const TaskMark& one : graded->tasks)
-                    if (one.id == info.id) task.graded = one.points, task.of = one.of;
+                for (const check::TaskVerdict& one : graded->tasks)
+                    if (one.id == info.id) task.graded = one.points(), task.of = one.of;
             task.adjusted = task.graded;
             double asked = task.graded;
             for (Adjustment& one : adjustments) {
@@ -116,20 +203,23 @@ private:
     void add_lateness(LabStanding& lab, const std::string& student) const {
         const AssignedLab* const assigned = policy_.lab(lab.lab);
         if (!assigned || !assigned->due) return;
-        // Takes the longer of two extensions: for this lab and for all labs.
-        for (const std::string& scope : {lab.lab, std::string()})
-            if (const auto found = extensions_.find({student, scope});
-                found != extensions_.end() && found->second->days > lab.extension_days) {
-                lab.extension_days = found->second->days;
-                lab.extension_note = found->second->note;
-            }
+        // Takes the longest of the extensions: for this lab and for all labs, and of all members of the team.
+        const Team* const team = team_of(student);
+        for (const std::string& one : team ? team->members : std::vector<std::string>{student})
+            for (const std::string& scope : {lab.lab, std::string()})
+                if (const auto found = extensions_.find({one, scope});
+                    found != extensions_.end() && found->second->days > lab.extension_days) {
+                    lab.extension_days = found->second->days;
+                    lab.extension_note = found->second->note;
+                }
         lab.due = *assigned->due + std::chrono::days(lab.extension_days);
         if (!lab.handed_in) return;
-        auto time = hand_ins_.find({student, lab.lab});
-        if (time == hand_ins_.end()) time = hand_ins_.find({student, ""});
-        if (time == hand_ins_.end()) return;
-        lab.handed_in_at = time->second;
-        lab.days_late = days_late(*lab.due, time->second, policy_.late.grace_hours);
+        const auto source = team ? team->sources.find(lab.lab) : std::map<std::string, std::string>::const_iterator();
+        const std::optional<Moment> time =
+            time_of(team && source != team->sources.end() ? printable(source->second) : student, lab.lab);
+        if (!time) return;
+        lab.handed_in_at = *time;
+        lab.days_late = days_late(*lab.due, *time, policy_.late.grace_hours);
         lab.late_share = late_share(lab.days_late, policy_.late);
     }
 
@@ -171,6 +261,7 @@ private:
     std::map<std::string, std::vector<Adjustment>> adjustments_;
     std::map<OfLab, const Extension*> extensions_;
     std::map<OfLab, Moment> hand_ins_;
+    std::map<std::string, std::shared_ptr<const Team>> teams_;  ///< with a submission, by member
 };
 
 /// Adds a note, such as "3 submissions are not on the roster: jane, joe, jim". Adds nothing if `names` is empty.
@@ -189,8 +280,6 @@ double sum_of(const std::vector<One>& all, Part part) {
     return sum;
 }
 
-std::string lab_number(const std::string& folder) { return folder.substr(0, folder.find('_')); }
-
 }  // namespace
 
 int LabStanding::of() const { return int(sum_of(tasks, &TaskStanding::of)); }
@@ -201,6 +290,10 @@ int Standing::of() const { return int(sum_of(labs, &LabStanding::of)); }
 double Standing::graded() const { return sum_of(labs, &LabStanding::graded); }
 double Standing::adjusted() const { return sum_of(labs, &LabStanding::adjusted); }
 double Standing::points() const { return sum_of(labs, &LabStanding::points); }
+bool Standing::is_of(const std::string& submission) const {
+    return mark && mark->name == submission &&
+           std::all_of(sources.begin(), sources.end(), [&](const auto& one) { return one.second == submission; });
+}
 bool Standing::is_marked() const {
     return !is_waiting && (!mark || mark->graded()) &&
            std::all_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.marked; });
@@ -233,6 +326,13 @@ std::vector<std::string> Standing::remarks(const std::string& lab) const {
         if (one.days_late > 0) remarks.push_back(fmt::format("lab {}: {}", lab_number(one.lab), lateness_text(one)));
         if (!one.kept.empty()) remarks.push_back(fmt::format("lab {}: {}", lab_number(one.lab), one.kept));
     }
+    // Sentences about files name the lab's folder.
+    const auto is_of_lab = [&](const std::string& sentence) {
+        return lab.empty() || sentence.find(lab) != std::string::npos ||
+               sentence.starts_with("lab " + lab_number(lab) + ":");
+    };
+    if (mark) std::copy_if(mark->remarks.begin(), mark->remarks.end(), std::back_inserter(remarks), is_of_lab);
+    std::copy_if(team_remarks.begin(), team_remarks.end(), std::back_inserter(remarks), is_of_lab);
     if (lab.empty() && bank_used > 0)
         remarks.push_back(fmt::format("late days of the term: {} of {} used", bank_used, bank_days));
     return remarks;
@@ -261,9 +361,19 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     std::set<std::string> known = names;
     for (const Student& student : result.policy.students) known.insert(student.student);
     refuse_unknown_adjustments(result.policy, known, tasks);
-    const ClassOf all(result.policy, std::move(labs));
+    ClassOf all(result.policy, std::move(labs));
+    const std::map<std::string, std::vector<std::string>> teams = members_of(result.policy);
+    for (const auto& [team, members] : teams) {
+        std::vector<const SubmissionMark*> own;
+        for (const SubmissionMark& mark : marks)
+            if (const std::string name = printable(mark.name);
+                name == team || std::find(members.begin(), members.end(), name) != members.end())
+                own.push_back(&mark);
+        if (!own.empty()) all.add_team(team, members, own, result);
+    }
     std::vector<std::string> strangers, without_time, absent, beyond;
     for (const SubmissionMark& mark : marks) {
+        if (teams.contains(printable(mark.name))) continue;  // it has no student of its own
         const Standing& standing = result.students.emplace_back(all.of(mark.name, &mark));
         if (!standing.on_roster) strangers.push_back(standing.student.student);
         if (ClassOf::lacks_time(standing)) without_time.push_back(standing.student.student);
@@ -273,7 +383,14 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     for (const Student& student : result.policy.students)
         if (!names.contains(student.student)) {
             Standing& standing = result.students.emplace_back(all.of(student.student, nullptr));
-            standing.is_waiting = handed_in.contains(student.student);
+            if (standing.mark) continue;  // of the team
+            std::vector<std::string> own{student.student};
+            if (const auto team = teams.find(student.team); team != teams.end()) {
+                own = team->second;
+                own.push_back(team->first);
+            }
+            standing.is_waiting =
+                std::any_of(own.begin(), own.end(), [&](const std::string& one) { return handed_in.contains(one); });
             for (LabStanding& lab : standing.labs) lab.marked = !standing.is_waiting;
             if (!standing.is_waiting) absent.push_back(student.student);
         }

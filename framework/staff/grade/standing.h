@@ -2,6 +2,8 @@
 // It is derived from the results and the class file; results never change.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,14 +45,19 @@ struct Standing {
     std::string name;                      ///< of the submission; from the roster if nothing was handed in
     Student student;                       ///< from the roster; if not on it, only `student` is set
     bool on_roster = true;                 ///< also true without a roster
-    const SubmissionMark* mark = nullptr;  ///< null: nothing was handed in, or it is not graded yet
-    bool is_waiting = false;               ///< handed in, but not graded yet
-    std::vector<LabStanding> labs;         ///< the labs that count, the same for all students
+    const SubmissionMark* mark = nullptr;  ///< of the student or the team; null: nothing was handed in, or it is not
+                                           ///< graded yet
+    std::map<std::string, std::string> sources = {};  ///< of a team: the submission whose mark counts, by lab
+    std::vector<std::string> team_remarks = {};       ///< which of a team's submissions counts, and why
+    bool is_waiting = false;                          ///< handed in, but not graded yet
+    std::vector<LabStanding> labs;                    ///< the labs that count, the same for all students
     std::vector<Adjustment> adjustments;
     int bank_days = 0, bank_used = 0;  ///< free late days of the term; how many of them are used
 
     int of() const;
     double graded() const, adjusted() const, points() const;
+    /// Returns whether all labs have the marks of this submission.
+    bool is_of(const std::string& submission) const;
     bool is_marked() const;  ///< whether every lab is
     /// Returns whether adjustments or lateness have changed the points.
     bool is_changed() const;
@@ -65,14 +72,19 @@ struct Standing {
 
 struct ClassStanding {
     ClassFile policy;
-    std::vector<Standing> students;  ///< in the order of the submissions, then students of the roster without one
-    std::vector<std::string> notes;  ///< remarks for the instructor, one per line
+    /// In the order of the submissions, then students of the roster without one. A team's own submission is none.
+    std::vector<Standing> students;
+    std::vector<std::shared_ptr<const SubmissionMark>> team_marks = {};  ///< of teams with several submissions
+    std::vector<std::string> notes;                                      ///< remarks for the instructor, one per line
 };
 
-/// Computes the standing of each student. `only`: the labs that the grader was asked for; empty: all. `handed_in`: the
-/// names of all submissions as printable() shows them; a submission without a mark is not graded yet. Without assigned
-/// labs, the labs of any submission count. The marks must outlive the result. Throws Error for an adjustment of an
-/// unknown student or task, and if none of `only` is assigned.
+/// Computes the standing of each student. One submission of any member of a team, or of the team's name, counts for all
+/// members. If several have a lab, the one that was handed in last counts; without all times, the one with most points.
+/// The longest extension of a member counts, too. Late days of the term and adjustments remain each member's own.
+/// `only`: the labs that the grader was asked for; empty: all. `handed_in`: the names of all submissions as printable()
+/// shows them; a submission without a mark is not graded yet. Without assigned labs, the labs of any submission count.
+/// The marks must outlive the result. Throws Error for an adjustment of an unknown student or task, and if none of
+/// `only` is assigned.
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
                              const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
 ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, ClassFile policy,

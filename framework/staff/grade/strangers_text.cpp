@@ -61,6 +61,15 @@ std::string shown(std::string_view text, size_t max_length, bool lines) {
     return result;
 }
 
+bool is_ascii(const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+const Module& unicode() {
+    static const Module module = open_own_module("relief-unicode.so", "libglib2.0-dev");
+    return module;
+}
+
 constexpr char32_t first_private = 0xf780, last_private = 0xf7ff;
 
 }  // namespace
@@ -70,11 +79,23 @@ std::string printable(std::string_view text, size_t max_length) { return shown(t
 std::string printable_lines(std::string_view text, size_t max_length) { return shown(text, max_length, true); }
 
 std::string composed(std::string text) {
-    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-    if (std::all_of(text.begin(), text.end(), is_ascii) || text.find('\0') != std::string::npos) return text;
-    static const Module module = open_own_module("relief-unicode.so", "libglib2.0-dev");
-    module.function<decltype(relief_compose)>("relief_compose")(text);
+    if (!is_ascii(text) && text.find('\0') == std::string::npos)
+        unicode().function<decltype(relief_compose)>("relief_compose")(text);
     return text;
+}
+
+std::string folded(std::string text) {
+    if (!is_ascii(text) && text.find('\0') == std::string::npos) {
+        unicode().function<decltype(relief_fold)>("relief_fold")(text);
+        return text;
+    }
+    std::string plain;
+    for (const char c : text)
+        if (c >= 'A' && c <= 'Z')
+            plain += char(c - 'A' + 'a');
+        else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+            plain += c;
+    return plain;
 }
 
 std::string utf8_of_bytes(std::string_view bytes) {

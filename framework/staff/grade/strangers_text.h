@@ -19,6 +19,10 @@ std::string printable_lines(std::string_view text, size_t max_length);
 /// UTF-8 is unchanged.
 std::string composed(std::string text);
 
+/// Returns a name's letters and digits without case, accents, blanks and signs: "zoeodoe" for "Zo\u00eb O'Doe". Systems
+/// that rename files drop different signs of a name. Text that is not UTF-8 keeps all its bytes.
+std::string folded(std::string text);
+
 /// Convert any bytes to UTF-8, which JSON requires, and back without loss. Valid UTF-8 is unchanged. Any other byte
 /// becomes a private-use character, U+F780 to U+F7FF. So do the bytes of these characters themselves, to keep the
 /// conversion unique.
@@ -27,5 +31,6 @@ std::string bytes_of_utf8(std::string_view text);
 
 }  // namespace relief::grade
 
-/// The module's function; composed() calls it.
+/// The module's functions; composed() and folded() call them.
 extern "C" void relief_compose(std::string& text);
+extern "C" void relief_fold(std::string& text);

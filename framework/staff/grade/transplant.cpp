@@ -1,214 +1,217 @@
 #include "framework/staff/grade/transplant.h"
 
 #include <algorithm>
-#include <cctype>
+#include <map>
 #include <set>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "framework/course/check/starter.h"
+#include "framework/course/check/task_text.h"
 
 namespace relief::grade {
 namespace {
 
-using Names = std::set<std::string>;
+using check::TaskText;
 
-bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+std::string definition_text(const std::string& text, const CodeDefinition& one) {
+    return text.substr(one.begin, one.end - one.begin);
+}
 
-/// One top-level definition in GLSL or C++: a function, a constant, a type, a macro, or an unnamed namespace with its
-/// contents.
-struct Definition {
-    std::string text;
-    Names defines;  ///< the defined names; empty if unknown
-    Names uses;     ///< all words in the text
-};
+/// Returns the text below the preprocessor's conditions of a definition.
+std::string under_conditions(const CodeDefinition& one, const std::string& text) {
+    std::string result;
+    for (const std::string& condition : one.conditions) result += condition + '\n';
+    result += text + '\n';
+    for (size_t i = 0; i < one.conditions.size(); ++i) result += "#endif\n";
+    return result;
+}
 
-/// The definitions in one part of a task file. A part may close a bracket that an earlier part has opened; the text
-/// after that bracket is ignored.
-class Definitions {
+class Transplant {
 public:
-    explicit Definitions(std::string_view text) : text_(text) {
-        while (step()) {
-        }
+    Transplant(const std::string& solution, const std::string& submitted, const std::vector<TaskInfo>& tasks,
+               const TaskInfo& task)
+        : solution_(solution),
+          submitted_(submitted),
+          task_(task.id),
+          theirs_(solution, tasks, task.file),
+          own_(submitted, tasks, task.file) {
+        const std::vector<bool> used = own_.used_by_task(task_), unused = nobodys();
+        for (size_t i = 0; i < used.size(); ++i) pieces_.push_back(new_piece(i, used[i], unused[i]));
+        move_up();
+        add_missing();
+        if (is_shader(task.file)) add_prototypes();
     }
-    const std::vector<Definition>& list() const { return list_; }
-    /// Returns the position of the part's end, or of the bracket that closes an earlier part's.
-    size_t end() const { return at_; }
-    /// Returns whether the part has a directive other than #define, such as #if. Then no definition can be taken out of
-    /// it.
-    bool has_conditions() const { return has_conditions_; }
+
+    std::string text() const {
+        std::string text;
+        size_t at = 0;
+        for (size_t i = 0; i < pieces_.size(); ++i) {
+            const CodeDefinition& own = own_.definitions()[i];
+            text += submitted_.substr(at, own.begin - at) + pieces_[i].before + pieces_[i].text + pieces_[i].after;
+            at = own.end;
+            const bool is_gone = pieces_[i].before.empty() && pieces_[i].text.empty() && pieces_[i].after.empty();
+            if (is_gone && (text.empty() || text.back() == '\n') && submitted_.compare(at, 1, "\n") == 0) ++at;
+        }
+        return text + submitted_.substr(at);
+    }
 
 private:
-    bool here(std::string_view word) const { return text_.substr(at_).starts_with(word); }
-    void skip_to(std::string_view end) {
-        const size_t found = text_.find(end, at_);
-        at_ = found == std::string_view::npos ? text_.size() : found + end.size();
-    }
+    /// The text that replaces a definition of the submission.
+    struct Piece {
+        std::string text;
+        const CodeDefinition* is = nullptr;  ///< the definition in that text; null for an empty text
+        std::string before = {}, after = {};
+    };
 
-    /// Reads a token, a comment or a preprocessor line. Returns false at the end.
-    bool step() {
-        if (at_ >= text_.size()) return false;
-        const char c = text_[at_];
-        if (here("//")) {
-            skip_to("\n");
-        } else if (here("/*")) {
-            skip_to("*/");
-        } else if (c == '#' && depth_ == 0 && words_.empty()) {
-            directive();
-        } else if (c == '"' || c == '\'') {
-            for (++at_; at_ < text_.size() && text_[at_] != c; ++at_) at_ += text_[at_] == '\\';
-            at_ = std::min(at_ + 1, text_.size());
-        } else if (is_of_a_word(c)) {
-            const size_t begin = begin_word();
-            while (at_ < text_.size() && is_of_a_word(text_[at_])) ++at_;
-            word(std::string(text_.substr(begin, at_ - begin)));
-        } else if (c == '}' && depth_ == 0) {
-            return false;
-        } else {
-            sign(c);
+    /// `is_nobodys`: see nobodys(); a definition of the solution's replaces it.
+    Piece new_piece(size_t i, bool is_kept, bool is_nobodys) {
+        const CodeDefinition& one = own_.definitions()[i];
+        const std::string& function_of = own_.task_of_function(i);
+        const bool is_nameless = one.kind == CodeDefinition::directive || one.kind == CodeDefinition::other;
+        const bool is_own_stray = one.kind == CodeDefinition::stray && own_.owner(i) == task_;
+        if (is_kept || function_of == task_ || is_nameless || is_own_stray || declares_function(one))
+            return {definition_text(submitted_, one), &one};
+        for (size_t k = 0; k < theirs_.definitions().size(); ++k) {
+            const CodeDefinition& other = theirs_.definitions()[k];
+            if (function_of.empty() ? other.key() == one.key()
+                                    : theirs_.task_of_function(k) == function_of && other.names == one.names)
+                return {definition_text(solution_, other), &other};
         }
-        return true;
+        return is_nobodys ? Piece{definition_text(submitted_, one), &one} : Piece();
     }
 
-    size_t begin_word() {
-        if (words_.empty() && depth_ == 0) begin_ = at_;
-        return at_;
-    }
-
-    void directive() {
-        const size_t begin = at_;
-        do {
-            skip_to("\n");
-        } while (at_ >= 2 && at_ < text_.size() && text_[at_ - 2] == '\\');
-        const std::string_view line = text_.substr(begin, at_ - begin);
-        Words words;
-        for (size_t i = 0; i < line.size(); ++i) {
-            if (!is_of_a_word(line[i])) continue;
-            size_t end = i;
-            while (end < line.size() && is_of_a_word(line[end])) ++end;
-            words.emplace_back(line.substr(i, end - i));
-            i = end;
+    /// Returns for each definition of the submission whether it is a variable or type that no task uses, or such a one
+    /// uses it. A variable's initializer runs all the same, and a type can keep the file from compiling.
+    std::vector<bool> nobodys() const {
+        const std::vector<CodeDefinition>& all = own_.definitions();
+        std::vector<bool> roots(all.size()), barriers(all.size());
+        for (size_t i = 0; i < all.size(); ++i) {
+            const bool is_data = all[i].kind == CodeDefinition::variable || all[i].kind == CodeDefinition::type;
+            roots[i] = is_data && own_.owner(i).empty();
+            barriers[i] = !own_.task_of_function(i).empty();
         }
-        has_conditions_ |= words.empty() || words.front() != "define";
-        if (words.size() > 1 && words.front() == "define")
-            list_.push_back({std::string(line), {words[1]}, Names(words.begin(), words.end())});
+        std::vector<bool> kept = used_by(all, roots, barriers);
+        for (size_t i = 0; i < all.size(); ++i) kept[i] = kept[i] || roots[i];
+        return kept;
     }
 
-    void word(const std::string& name) {
-        words_.push_back(name);
-        if (!is_named_) last_ = name;
-        is_type_ |= depth_ == 0 && (name == "struct" || name == "class" || name == "enum" || name == "union");
-        is_namespace_ |= depth_ == 0 && name == "namespace";
+    /// Returns whether it is the prototype of a task's function.
+    bool declares_function(const CodeDefinition& one) const {
+        if (one.kind != CodeDefinition::prototype) return false;
+        for (size_t k = 0; k < theirs_.definitions().size(); ++k)
+            if (!theirs_.task_of_function(k).empty() && theirs_.definitions()[k].names == one.names) return true;
+        return false;
     }
 
-    void sign(char c) {
-        ++at_;
-        const bool opens = c == '(' || c == '[' || c == '{', closes = c == ')' || c == ']' || c == '}';
-        // The defined name precedes the first of these signs, also inside a namespace.
-        if ((opens || c == '=' || c == ';') && !is_named_ && depth_ == (is_namespace_ ? 1 : 0) && !last_.empty()) {
-            if (!(is_namespace_ && depth_ == 0)) names_.insert(last_), is_named_ = true;
+    bool has(const CodeDefinition& other, const std::string& task) const {
+        for (size_t i = 0; i < pieces_.size(); ++i) {
+            if (!pieces_[i].is) continue;
+            const bool is_same = task.empty() ? pieces_[i].is->key() == other.key()
+                                              : own_.task_of_function(i) == task && pieces_[i].is->names == other.names;
+            if (is_same) return true;
         }
-        depth_ += opens, depth_ -= closes;
-        if (is_namespace_ && depth_ == 1 && (c == ';' || c == '}')) is_named_ = false;
-        if (depth_ == 0 && (c == ';' || (c == '}' && !is_type_ && !ends_later()))) finish();
+        return false;
     }
 
-    /// Returns whether the definition continues after the closing brace: a ';' or ',' follows.
-    bool ends_later() const {
-        const size_t next = text_.find_first_not_of(" \t\r\n", at_);
-        return next != std::string_view::npos && (text_[next] == ';' || text_[next] == ',');
+    bool is_theirs(const CodeDefinition* one) const {
+        const std::vector<CodeDefinition>& all = theirs_.definitions();
+        return std::find_if(all.begin(), all.end(), [&](const CodeDefinition& other) { return &other == one; }) !=
+               all.end();
     }
 
-    void finish() {
-        if (!words_.empty())
-            list_.push_back({std::string(text_.substr(begin_, at_ - begin_)) + '\n', std::move(names_),
-                             Names(words_.begin(), words_.end())});
-        words_.clear(), names_ = {}, last_.clear();
-        is_named_ = is_type_ = is_namespace_ = false;
+    /// Takes out a helper of the solution's that a function of the solution above it uses: add_missing() adds it above
+    /// all functions.
+    void move_up() {
+        for (size_t i = 0; i < pieces_.size(); ++i) {
+            if (!is_theirs(pieces_[i].is) || !own_.task_of_function(i).empty()) continue;
+            const CodeDefinition& helper = *pieces_[i].is;
+            const bool is_late = std::any_of(pieces_.begin(), pieces_.begin() + long(i), [&](const Piece& above) {
+                return is_theirs(above.is) && above.is->kind == CodeDefinition::function &&
+                       std::any_of(helper.names.begin(), helper.names.end(),
+                                   [&](const std::string& name) { return above.is->words.contains(name); });
+            });
+            if (is_late) pieces_[i] = {};
+        }
     }
 
-    using Words = std::vector<std::string>;
-    std::string_view text_;
-    size_t at_ = 0, begin_ = 0;
-    int depth_ = 0;
-    Words words_;
-    Names names_;
-    std::string last_;
-    bool is_named_ = false, is_type_ = false, is_namespace_ = false, has_conditions_ = false;
-    std::vector<Definition> list_;
+    /// Adds the functions of other tasks that the submission lacks, and what these tasks need.
+    void add_missing() {
+        const std::vector<CodeDefinition>& theirs = theirs_.definitions();
+        std::vector<bool> roots(theirs.size()), barriers(theirs.size());
+        for (size_t k = 0; k < theirs.size(); ++k) {
+            barriers[k] = !theirs_.task_of_function(k).empty();
+            roots[k] = barriers[k] && theirs_.task_of_function(k) != task_;
+        }
+        const std::vector<bool> needed = used_by(theirs, roots, barriers);
+        size_t first = pieces_.size(), last = pieces_.size();
+        for (size_t i = 0; i < pieces_.size(); ++i) {
+            if (!own_.definitions()[i].conditions.empty() || own_.task_of_function(i).empty()) continue;
+            first = std::min(first, i), last = i;
+        }
+        if (first == pieces_.size()) return;
+        for (size_t k = 0; k < theirs.size(); ++k) {
+            const std::string& task = theirs_.task_of_function(k);
+            if ((!roots[k] && !needed[k]) || has(theirs[k], task)) continue;
+            const std::string text = under_conditions(theirs[k], definition_text(solution_, theirs[k]));
+            if (roots[k])
+                pieces_[last].after += '\n' + text, added_.push_back(&theirs[k]);
+            else
+                pieces_[first].before += text;
+        }
+    }
+
+    /// Declares functions before the first definition that calls them, if they are defined below it.
+    void add_prototypes() {
+        struct Function {
+            const CodeDefinition* is;
+            size_t place;
+        };
+        std::map<std::string, Function> functions;
+        for (size_t i = 0; i < pieces_.size(); ++i)
+            if (pieces_[i].is && !own_.task_of_function(i).empty())
+                functions[pieces_[i].is->names[0]] = {pieces_[i].is, i};
+        for (const CodeDefinition* const one : added_) functions[one->names[0]] = {one, pieces_.size()};
+        std::set<std::string> declared;
+        for (size_t i = 0; i < pieces_.size(); ++i) {
+            const CodeDefinition* const one = pieces_[i].is;
+            if (!one) continue;
+            if (one->kind == CodeDefinition::prototype) declared.insert(one->names[0]);
+            for (const std::string& name : one->called) {
+                const auto function = functions.find(name);
+                if (function == functions.end() || function->second.place <= i) continue;
+                if (function->second.is->conditions.empty() && declared.insert(name).second)
+                    pieces_[i].before += prototype_of(*function->second.is);
+            }
+        }
+    }
+
+    std::string prototype_of(const CodeDefinition& one) const {
+        return (is_theirs(&one) ? solution_ : submitted_).substr(one.begin, one.body - one.begin) + ";\n";
+    }
+
+    const std::string &solution_, &submitted_;
+    std::string task_;
+    TaskText theirs_, own_;
+    std::vector<Piece> pieces_;  ///< one for each definition of the submission
+    std::vector<const CodeDefinition*> added_;
 };
-
-bool have_common(const Names& some, const Names& others) {
-    return std::any_of(some.begin(), some.end(), [&](const std::string& one) { return others.contains(one); });
-}
-
-Names words_of(std::string_view text) {
-    Names words;
-    for (size_t i = 0; i < text.size(); ++i) {
-        size_t end = i;
-        while (end < text.size() && is_of_a_word(text[end])) ++end;
-        if (end > i) words.emplace(text.substr(i, end - i));
-        i = end;
-    }
-    return words;
-}
-
-/// Returns for each submitted part the text of the definitions that the task needs from it. These are used by the task
-/// directly or through each other, and the solution does not define them.
-std::vector<std::string> helpers(const std::vector<check::TaskPart>& submitted, const std::string& task,
-                                 const std::vector<check::TaskPart>& solution) {
-    Names known, wanted;
-    for (const check::TaskPart& part : solution) {
-        const Definitions definitions(part.text);
-        for (const Definition& one : definitions.list()) known.insert(one.defines.begin(), one.defines.end());
-    }
-    std::vector<std::vector<Definition>> candidates;
-    for (const check::TaskPart& part : submitted) {
-        std::vector<Definition>& own = candidates.emplace_back();
-        if (part.task == task) wanted = words_of(part.text);
-        if (part.task.empty() || part.task == task) continue;
-        const Definitions definitions(part.text);
-        if (!definitions.has_conditions()) own = definitions.list();
-        std::erase_if(own, [&](const Definition& one) { return have_common(one.defines, known); });
-    }
-    for (size_t before = 0; before != wanted.size();) {
-        before = wanted.size();
-        for (const std::vector<Definition>& part : candidates)
-            for (const Definition& one : part)
-                if (have_common(one.defines, wanted)) wanted.insert(one.uses.begin(), one.uses.end());
-    }
-    std::vector<std::string> texts;
-    for (const std::vector<Definition>& part : candidates) {
-        std::string& text = texts.emplace_back();
-        for (const Definition& one : part)
-            if (have_common(one.defines, wanted)) text += one.text;
-    }
-    return texts;
-}
 
 }  // namespace
 
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
-                                         const std::string& task) {
-    const std::vector<check::TaskPart> own = check::task_parts(submitted), others = check::task_parts(solution);
-    const auto part_of = [&](const std::string& id) {
-        return std::find_if(own.begin(), own.end(), [&](const check::TaskPart& one) { return one.task == id; });
-    };
-    if (task.empty() || part_of(task) == own.end()) return {};
-    const std::vector<std::string> used = helpers(own, task, others);
+                                         const std::vector<TaskInfo>& tasks, const TaskInfo& task) {
+    if (task.functions.empty() || !check::missing_functions(submitted, task).empty()) return {};
+    return Transplant(solution, submitted, tasks, task).text();
+}
+
+std::string without_task(const std::string& solution, const std::vector<TaskInfo>& tasks, const TaskInfo& task) {
+    const TaskText parts(solution, tasks, task.file);
     std::string text;
-    for (const check::TaskPart& part : others) {
-        const auto mine = part_of(part.task);
-        if (part.task.empty() || part.task == task) {
-            text += mine->text;
-            continue;
-        }
-        const std::string& more = mine == own.end() ? std::string() : used[size_t(mine - own.begin())];
-        const size_t end = more.empty() ? part.text.size() : Definitions(part.text).end();
-        text += part.text.substr(0, end) + more + part.text.substr(end);
+    size_t at = 0;
+    for (size_t i = 0; i < parts.definitions().size(); ++i) {
+        if (parts.task_of_function(i) != task.id) continue;
+        text += solution.substr(at, parts.definitions()[i].begin - at);
+        at = parts.definitions()[i].end;
     }
-    return text;
+    return text + solution.substr(at);
 }
 
 }  // namespace relief::grade

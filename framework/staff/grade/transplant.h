@@ -3,15 +3,20 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "framework/core/lab/manifest.h"
 
 namespace relief::grade {
 
-/// Returns the task file `solution` with the part for `task` ("11.2") replaced by the part in `submitted`; see
-/// task_parts(). Also takes the text before the first task from the submission, because all its tasks may use it. The
-/// submitted part may use functions, constants, types and macros from the part of another task. These are added to the
-/// solution of that other task, unless the solution defines the same name or that part contains a directive such as
-/// `#if`. Returns nothing if the submission does not have the task's line.
+/// Returns the text of `submitted`, a task file, with the functions of all tasks but `task` ("11.2") replaced by those
+/// of `solution`. Keeps the other code that the task's functions use, directly or not. Of the rest, a definition that
+/// the solution has too becomes the solution's, and any other goes. A function that the submission lacks is added.
+/// `tasks`: all tasks of the lab. Returns nothing if the submission lacks a function of the task.
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
-                                         const std::string& task);
+                                         const std::vector<TaskInfo>& tasks, const TaskInfo& task);
+
+/// Returns the task file without the definitions of the task's functions.
+std::string without_task(const std::string& solution, const std::vector<TaskInfo>& tasks, const TaskInfo& task);
 
 }  // namespace relief::grade

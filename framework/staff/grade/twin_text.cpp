@@ -43,8 +43,8 @@ std::vector<Range> declarations(const std::string& text, const GlslText& parsed,
         names.structs.insert(one.name);
         names.all.insert(one.name);
     }
-    std::vector<GlslToken> outside;
-    for (const GlslToken& token : glsl_tokens(text)) {
+    std::vector<CodeToken> outside;
+    for (const CodeToken& token : code_tokens(text)) {
         const auto holds = [&](const auto& one) { return token.begin >= one.begin && token.begin < one.end; };
         if (std::none_of(parsed.functions.begin(), parsed.functions.end(), holds) &&
             std::none_of(parsed.structs.begin(), parsed.structs.end(), holds))
@@ -65,13 +65,13 @@ std::vector<Range> declarations(const std::string& text, const GlslText& parsed,
     return ranges;
 }
 
-std::string translated(const GlslToken& token, bool is_field, const TaskNames& names) {
-    if (token.kind == GlslToken::number) {
+std::string translated(const CodeToken& token, bool is_field, const TaskNames& names) {
+    if (token.kind == CodeToken::number) {
         const bool is_float = token.text.find_first_of(".eE") != std::string::npos && !token.text.starts_with("0x");
         if (!is_float) return token.text;
         return token.text.substr(0, token.text.find_last_not_of("fFlL") + 1) + "lf";
     }
-    if (token.kind != GlslToken::word || is_field) return token.text;
+    if (token.kind != CodeToken::word || is_field) return token.text;
     if (names.all.contains(token.text)) return token.text + check::twin_suffix;
     if (is_single_only(token.text)) return "relief_" + token.text;
     return check::twin_type(token.text, {});
@@ -87,13 +87,13 @@ std::string translated(const std::string& text, const TaskNames& names, const st
         for (; at < to; ++at)
             if (text[at] == '\n' || keep(at)) result += text[at];
     };
-    for (const GlslToken& token : glsl_tokens(text)) {
+    for (const CodeToken& token : code_tokens(text)) {
         copy(token.begin);
         const bool is_field =
             before == "." || (is_within(fields, token.begin, true) && !names.structs.contains(token.text));
         if (keep(token.begin))
             result += translated(
-                token, is_field && token.kind == GlslToken::word && check::twin_type(token.text, {}) == token.text,
+                token, is_field && token.kind == CodeToken::word && check::twin_type(token.text, {}) == token.text,
                 names);
         at = token.end;
         before = token.text;

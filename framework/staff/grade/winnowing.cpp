@@ -6,54 +6,17 @@
 #include <charconv>
 #include <string_view>
 
+#include "framework/core/base/code_definitions.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/glsl_text.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/starter.h"
 
 namespace relief::grade {
 namespace {
 
-using Code = std::vector<GlslToken>;
+using Code = std::vector<CodeToken>;
 
-bool is_word_here(const Code& code, size_t i) { return i < code.size() && code[i].kind == GlslToken::word; }
 bool is_here(const Code& code, size_t i, std::string_view text) { return i < code.size() && code[i].text == text; }
-
-/// One definition outside of functions, or a statement of the preprocessor's code: tokens [begin, end).
-struct CodePiece {
-    size_t begin, end;
-    std::string function;  ///< the name before the first parenthesis, or empty
-};
-
-/// Splits code at the ends of its definitions. A namespace is not a definition: its contents are.
-std::vector<CodePiece> pieces_of(const Code& code) {
-    std::vector<CodePiece> pieces;
-    CodePiece piece{0, 0, ""};
-    int depth = 0;
-    bool is_namespace = false;
-    const auto finish = [&](size_t end) {
-        piece.end = end;
-        if (piece.begin < end) pieces.push_back(piece);
-        piece = {end, end, ""};
-        depth = 0, is_namespace = false;
-    };
-    for (size_t i = 0; i < code.size(); ++i) {
-        const std::string& token = code[i].text;
-        if (depth == 0 && (token == "}" || (token == "{" && is_namespace))) {
-            piece.begin = i + 1;  // drops the namespace's own words
-            finish(i + 1);
-            continue;
-        }
-        is_namespace |= depth == 0 && token == "namespace";
-        if (token == "(" && depth == 0 && piece.function.empty() && i > piece.begin && is_word_here(code, i - 1))
-            piece.function = code[i - 1].text;
-        depth += token == "(" || token == "[" || token == "{";
-        depth -= token == ")" || token == "]" || token == "}";
-        if (depth <= 0 && (token == ";" || (token == "}" && !is_here(code, i + 1, ";")))) finish(i + 1);
-    }
-    finish(code.size());
-    return pieces;
-}
 
 bool is_word_of_the_language(const std::string& word) {
     static const auto words = [] {
@@ -92,8 +55,8 @@ std::string swizzle(const std::string& name) {
 
 std::string normal_form(const Code& code, size_t i, const GivenNames& given) {
     const std::string& text = code[i].text;
-    if (code[i].kind == GlslToken::number) return value_of(text);
-    if (code[i].kind == GlslToken::symbol || is_word_of_the_language(text)) return text;
+    if (code[i].kind == CodeToken::number) return value_of(text);
+    if (code[i].kind == CodeToken::symbol || is_word_of_the_language(text)) return text;
     const bool is_member =
         i > 0 && (code[i - 1].text == "." || (i > 1 && code[i - 1].text == ">" && code[i - 2].text == "-"));
     const bool is_scoped =
@@ -112,13 +75,13 @@ std::string normal_form(const Code& code, size_t i, const GivenNames& given) {
 }  // namespace
 
 void GivenNames::add(const std::string& text) {
-    const Code code = glsl_tokens(text);
+    const Code code = code_tokens(text);
     int depth = 0;
     bool is_struct = false;
     for (size_t i = 0; i < code.size(); ++i) {
         const std::string& token = code[i].text;
         is_struct |= depth == 0 && (token == "struct" || token == "class" || token == "enum");
-        if (code[i].kind == GlslToken::word) {
+        if (code[i].kind == CodeToken::word) {
             if (i > 0 && code[i - 1].text == ".")
                 fields_.insert(token);
             else if (is_here(code, i + 1, "("))
@@ -138,7 +101,7 @@ void GivenNames::add(const std::string& text) {
 }
 
 std::vector<NormalToken> normal_tokens(const std::string& text, const GivenNames& given) {
-    const Code code = glsl_tokens(text);
+    const Code code = code_tokens(text);
     std::vector<NormalToken> tokens;
     for (size_t i = 0; i < code.size(); ++i)
         tokens.push_back({normal_form(code, i, given), code[i].begin, code[i].end});
@@ -149,34 +112,54 @@ std::map<std::string, std::string> tasks_of_functions(const std::string& starter
     std::map<std::string, std::string> tasks;
     for (const check::TaskPart& part : check::task_parts(starter))
         if (!part.task.empty())
-            for (const CodePiece& piece : pieces_of(glsl_tokens(part.text)))
-                if (!piece.function.empty()) tasks.emplace(piece.function, part.task);
+            for (const CodeDefinition& one : definitions_of(part.text).list)
+                if (one.kind == CodeDefinition::function) tasks.emplace(one.signature.name, part.task);
     return tasks;
 }
+
+namespace {
+
+/// Returns the task of each definition: of the starter's functions, then of what they use, then of the next function.
+std::vector<std::string> owners(const std::vector<CodeDefinition>& list,
+                                const std::map<std::string, std::string>& task_of_function) {
+    std::vector<std::string> tasks(list.size());
+    std::vector<bool> barriers(list.size());
+    std::set<std::string> known;
+    for (size_t i = 0; i < list.size(); ++i) {
+        const auto own = task_of_function.find(list[i].signature.name);
+        barriers[i] = list[i].kind == CodeDefinition::function && own != task_of_function.end();
+        if (!barriers[i]) continue;
+        tasks[i] = own->second;
+        known.insert(own->second);
+    }
+    const std::vector<std::string> functions = tasks;
+    for (const std::string& task : known) {
+        std::vector<bool> roots(list.size());
+        for (size_t i = 0; i < list.size(); ++i) roots[i] = functions[i] == task;
+        const std::vector<bool> used = used_by(list, roots, barriers);
+        for (size_t i = 0; i < list.size(); ++i)
+            if (used[i] && tasks[i].empty()) tasks[i] = task;
+    }
+    for (size_t i = list.size(); i-- > 1;)
+        if (tasks[i - 1].empty()) tasks[i - 1] = tasks[i];
+    return tasks;
+}
+
+}  // namespace
 
 std::map<std::string, TaskCode> code_by_task(const std::string& text,
                                              const std::map<std::string, std::string>& task_of_function,
                                              const GivenNames& given) {
     std::map<std::string, TaskCode> tasks;
-    size_t offset = 0;  // of the part in the text
-    for (const check::TaskPart& part : check::task_parts(text)) {
-        const Code code = glsl_tokens(part.text);
-        const std::vector<CodePiece> pieces = pieces_of(code);
-        std::string next;  // the task of the next function
-        std::vector<std::string> owners(pieces.size());
-        for (size_t i = pieces.size(); i-- > 0;) {
-            const auto own = task_of_function.find(pieces[i].function);
-            if (own != task_of_function.end()) next = own->second;
-            owners[i] = own != task_of_function.end() ? own->second : part.task.empty() ? next : part.task;
-        }
-        for (size_t i = 0; i < pieces.size(); ++i) {
-            if (owners[i].empty()) continue;
-            TaskCode& task = tasks[owners[i]];
-            task.pieces.push_back({offset + code[pieces[i].begin].begin, offset + code[pieces[i].end - 1].end});
-            for (size_t k = pieces[i].begin; k < pieces[i].end; ++k)
-                task.tokens.push_back({normal_form(code, k, given), offset + code[k].begin, offset + code[k].end});
-        }
-        offset += part.text.size();
+    const std::vector<CodeDefinition> list = definitions_of(text).list;
+    const std::vector<std::string> task_of = owners(list, task_of_function);
+    for (size_t i = 0; i < list.size(); ++i) {
+        const Code& code = list[i].tokens;
+        if (task_of[i].empty() || code.empty()) continue;
+        TaskCode& task = tasks[task_of[i]];
+        task.pieces.push_back({list[i].begin, list[i].end});
+        for (size_t k = 0; k < code.size(); ++k)
+            task.tokens.push_back({normal_form(code, k, given), code[k].begin, code[k].end});
     }
     return tasks;
 }

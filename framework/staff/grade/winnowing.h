@@ -46,7 +46,7 @@ std::vector<NormalToken> normal_tokens(const std::string& text, const GivenNames
 std::map<std::string, std::string> tasks_of_functions(const std::string& starter);
 
 /// Returns a file's code by task. A function of the starter belongs to its task wherever it is. Any other definition
-/// belongs to the task whose line "// TASK 11.2" is above it, or without one to the task of the next function.
+/// belongs to the first task that uses it, or if none does to the task of the next function.
 ///
 /// In the normal form a name that the student chose is "I", and a number is its value: "1." and "1.0f" are "1".
 /// Swizzles of colours (rgba) and texture coordinates (stpq) are written xyzw. Comments, white space and preprocessor

@@ -14,7 +14,9 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
 #include "framework/course/check/check.h"
+#include "framework/course/check/hidden_checks.h"
 #include "framework/course/check/starter.h"
+#include "framework/staff/grade/fingerprint_maker.h"
 
 namespace relief::handout {
 namespace {
@@ -123,7 +125,7 @@ std::string readme(const std::vector<const LabEntry*>& labs) {
 /// Throws Error if the lab's own solution fails a check, hidden or not.
 void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                      const std::optional<Image>& expected) {
-    const check::CheckResult result = check::run_check(lab, manifest, check, expected);
+    const check::Verdict result = check::run_check(lab, manifest, check, expected);
     if (result.outcome != check::Outcome::passed)
         throw Error(fmt::format("lab {} cannot be handed out: its own solution does not pass '{}' ({}: {})",
                                 lab.two_digits(), check.name, check::name_of(result.outcome), result.found));
@@ -139,15 +141,22 @@ std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
     }
 }
 
-/// Adds the expected pictures of public checks. Returns their number.
+/// Adds the expected pictures of public checks, the expected values of public calls, and the fingerprints of known
+/// mistakes. Returns the number of pictures.
 int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
-    Progress progress(int(labs.size()));
-    int count = 0;
+    int count = 0, steps = 0;
     for (const LabEntry* lab : labs) {
-        progress.next("expected pictures of " + lab->folder);
         const Manifest manifest = load_manifest(*lab);
+        steps += int(manifest.checks.size() + manifest.mistakes.size());
+    }
+    Progress progress(steps);
+    for (const LabEntry* lab : labs) {
+        const Manifest manifest = load_manifest(*lab);
+        if (const check::HiddenByTask hidden = check::hidden_checks(manifest); !hidden.empty())
+            files[check::hidden_checks_file(*lab).lexically_relative(course_root())] = {check::text_of(hidden)};
         for (const CheckInfo& check : manifest.checks) {
-            if (check.shot.calls) continue;
+            progress.next(fmt::format("lab {}, {}", lab->two_digits(), check.name));
+            if (check.shot.calls && check.hidden) continue;  // in C++, only the grader's programs have these
             const std::optional<Image> image = expected_of(*lab, check);
             refuse_unsolved(*lab, manifest, check, image);
             if (check.hidden || !image) continue;
@@ -158,6 +167,12 @@ int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
             if (const auto base = check::base_of(*lab, manifest, check))
                 files.emplace(check::base_file(*lab, check).lexically_relative(course_root()),
                               HandedFile{encode_image(*base, ImageFormat::exr)});
+        }
+        if (!manifest.mistakes.empty()) {
+            files[check::handed_fingerprints(*lab)] = {
+                grade::public_fingerprints(*lab, [&](const std::string& mistake) {
+                    progress.next(fmt::format("lab {}, mistake {}", lab->two_digits(), mistake));
+                })};
         }
     }
     return count;

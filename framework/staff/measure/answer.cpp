@@ -23,27 +23,47 @@ std::string with_figures(const BenchRow& row) {
                        amount_of(row.error.mean, row.error.unit));
 }
 
-/// Returns whether the spreads of two methods' times, p10 to p90, overlap.
-bool about_equal(const BenchTimes& a, const BenchTimes& b) { return a.p10 <= b.p90 && b.p10 <= a.p90; }
+/// What a run says about the times of two methods.
+enum class Likeness { different, about_equal, unknown };
 
-/// Returns " About as fast: linear 8, linear 16." for the other methods that noise may have made slower than `fast`;
-/// "" if there is none.
-std::string about_as_fast(std::span<const BenchRow> rows, const std::vector<size_t>& timed, const BenchRow& fast) {
-    constexpr size_t most = 3;
-    std::vector<std::string> names;
-    for (const size_t place : timed)
-        if (&rows[place] != &fast && about_equal(rows[place].times, fast.times))
-            names.push_back(short_name(rows[place]));
-    if (names.empty()) return {};
-    const size_t more = names.size() > most + 1 ? names.size() - most : 0;
-    names.resize(names.size() - more);
-    return fmt::format(" About as fast: {}{}.", join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+/// Spreads from p10 to p90 that do not overlap are different. Overlapping ones are about equal if they are narrow and
+/// their medians are within a factor of 2; otherwise the run cannot tell.
+Likeness likeness_of(const BenchRow& one, const BenchRow& other) {
+    const BenchTimes &a = one.times, &b = other.times;
+    if (a.p10 > b.p90 || b.p10 > a.p90) return Likeness::different;
+    const bool is_near = a.median <= 2 * b.median && b.median <= 2 * a.median;
+    return is_near && !one.is_wide() && !other.is_wide() ? Likeness::about_equal : Likeness::unknown;
 }
 
-/// Returns "1.7 times as long", or "about as long".
+std::string list_of(std::vector<std::string> names) {
+    constexpr size_t most = 3;
+    const size_t more = names.size() > most + 1 ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    return join(names, ", ") + (more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// Returns " About as fast: linear 8 steps. Cannot be told apart from it in this run: linear 16 steps." for the other
+/// methods that noise may have made slower than `fast`; "" if there is none.
+std::string about_as_fast(std::span<const BenchRow> rows, const std::vector<size_t>& timed, const BenchRow& fast) {
+    std::vector<std::string> equal, unknown;
+    for (const size_t place : timed)
+        if (&rows[place] != &fast)
+            if (const Likeness likeness = likeness_of(rows[place], fast); likeness != Likeness::different)
+                (likeness == Likeness::unknown ? unknown : equal).push_back(short_name(rows[place]));
+    return (equal.empty() ? "" : " About as fast: " + list_of(equal) + ".") +
+           (unknown.empty() ? "" : " Cannot be told apart from it in this run: " + list_of(unknown) + ".");
+}
+
+/// Returns "1.7 times as long", "about as long", or that the run cannot tell.
 std::string as_long(const BenchRow& slow, const BenchRow& fast) {
-    return about_equal(slow.times, fast.times) ? "about as long"
-                                               : rounded(slow.times.median / fast.times.median, 2) + " times as long";
+    switch (likeness_of(slow, fast)) {
+        case Likeness::about_equal:
+            return "about as long";
+        case Likeness::unknown:
+            return "a time that cannot be told apart in this run";
+        default:
+            return rounded(slow.times.median / fast.times.median, 2) + " times as long";
+    }
 }
 
 std::string of_times(std::span<const BenchRow> rows, std::vector<size_t> timed) {
@@ -52,8 +72,15 @@ std::string of_times(std::span<const BenchRow> rows, std::vector<size_t> timed) 
     const BenchRow &first = rows[timed.front()], &last = rows[timed.back()];
     if (timed.size() == 1)
         return fmt::format("{} takes {} a {}.", short_name(first), time_text(first.times.median), first.item);
-    if (about_equal(first.times, last.times))
-        return fmt::format("All {} methods take about as long: {} to {} a {}.", timed.size(),
+    const bool all_overlap = std::all_of(timed.begin(), timed.end(), [&](size_t place) {
+        return likeness_of(rows[place], first) != Likeness::different &&
+               likeness_of(rows[place], last) != Likeness::different;
+    });
+    if (all_overlap)
+        return fmt::format("{}: {} to {} a {}.",
+                           likeness_of(first, last) == Likeness::about_equal
+                               ? fmt::format("All {} methods take about as long", timed.size())
+                               : fmt::format("The times of {} methods cannot be told apart in this run", timed.size()),
                            time_text(first.times.median), time_text(last.times.median), first.item);
     return fmt::format("The fastest: {} ({} a {}).{} The slowest: {} ({}), {}.", short_name(first),
                        time_text(first.times.median), first.item, about_as_fast(rows, timed, first), short_name(last),
@@ -80,7 +107,7 @@ std::string of_sweeps(std::span<const BenchRow> rows, const std::vector<size_t>&
 std::vector<size_t> timed_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
     std::vector<size_t> timed;
     for (const size_t place : scene)
-        if (rows[place].is_measured() && rows[place].repeats > 0) timed.push_back(place);
+        if (rows[place].is_timed()) timed.push_back(place);
     return timed;
 }
 

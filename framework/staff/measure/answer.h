@@ -16,7 +16,8 @@ std::vector<size_t> chief_scene(std::span<const BenchRow> rows);
 /// Returns a text such as "Of 17 methods 4 are beaten by no other in both time and error. The fastest: offset (0.9 ms,
 /// mean error 12 texels). The most accurate: exact (1.5 ms, mean error 0.001 texels), 1.7 times as long."
 ///
-/// Methods whose times overlap between p10 and p90 are called about equal: noise may have decided their order.
+/// Noise may have decided the order of methods whose times overlap between p10 and p90. They are called about equal if
+/// their medians are within a factor of 2 and none has is_wide(). Otherwise they cannot be told apart in this run.
 ///
 /// Without errors it compares the fastest with the slowest. For sweeps it counts the methods that keep their stated
 /// error for all inputs.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -103,6 +105,17 @@ double by_wall_clock(const std::function<void()>& run, size_t times) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+double by_cpu_clock(const std::function<void()>& run, size_t times) {
+    const auto now = [] {
+        timespec used{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+        return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
+    };
+    const double begin = now();
+    for (size_t i = 0; i < times; ++i) run();
+    return now() - begin;
+}
+
 BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock, std::function<void(size_t)> begin)
     : subjects_(subjects),
       clock_(std::move(clock)),
@@ -121,7 +134,7 @@ BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock,
 
 double BenchTurns::take(size_t subject, size_t times) {
     if (begin_) begin_(subject);
-    return clock_(subjects_[subject].run, times);
+    return clock_(subjects_[subject], times);
 }
 
 void BenchTurns::round() {

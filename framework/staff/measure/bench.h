@@ -45,6 +45,7 @@ struct BenchSubject {
     BenchWork work = {};
     BenchError error = {};
     std::function<void()> run;
+    bool is_parallel = false;            ///< uses other threads or processes, whose time only the wall clock sees
     Image picture = {}, error_map = {};  ///< for the page, 8 bits; empty if there is nothing to show
     double error_map_max = 0;            ///< the error at the map's brightest colour, in the error's unit
     std::optional<BenchSweep> sweep = {};
@@ -72,6 +73,9 @@ struct BenchSettings {
 
     /// Returns `size`, or 512 x 512, 256 x 256 with `quick`.
     glm::ivec2 frame_size() const { return size.value_or(glm::ivec2(quick ? 256 : 512)); }
+    /// Returns whether a person waits: each topic then takes under 20 s of processor time, with fewer scenes and
+    /// methods than the baseline has.
+    bool is_first_look() const { return quick && repeats > 0; }
     bool pictures = false;  ///< also make pictures and error maps for the page
 };
 
@@ -107,10 +111,13 @@ double quantile(std::vector<double> values, double share);
 /// Returns the mean, 99th percentile and maximum of a sample of errors; all zero if it is empty.
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
-/// Returns the seconds that `times` runs take.
-using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
+/// Returns the seconds that `times` runs of a subject take.
+using BenchClock = std::function<double(const BenchSubject& subject, size_t times)>;
 /// Uses the wall clock. Precondition: a run has finished its work when it returns.
 double by_wall_clock(const std::function<void()>& run, size_t times);
+/// Uses the processor time of the calling thread: the time of other programs does not count. Precondition: a run does
+/// its work in the calling thread.
+double by_cpu_clock(const std::function<void()>& run, size_t times);
 
 /// Times several subjects in turns. Each round takes one sample of every subject, in a new order, so that other load on
 /// the machine affects all of them alike. Runs shorter than a millisecond are repeated within a sample.

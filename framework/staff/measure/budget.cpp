@@ -81,7 +81,8 @@ std::vector<BenchScene> budget_scenes(const BenchSettings& settings) {
                 };
                 scene.methods.push_back({name, knobs, subject_of});
             };
-            const auto budgets = {"0.5", "1", "2", "4"};
+            std::vector<const char*> budgets = {"1"};
+            if (!settings.is_first_look()) budgets = {"0.5", "1", "2", "4"};
             for (const char* budget : budgets) add("auto", {{"budget", budget}}, {});
             // The methods of labs 11 and 12, without a budget.
             for (const char* method : {"plain", "normal-map", "parallax", "exact"})

@@ -163,10 +163,11 @@ BenchScene levels(const BenchSettings& settings) {
     const ErrorsOf off = [ground](const Image& place, const auto&) { return ground->off(place); };
     const FiguresOf figures = [](const Image&, std::vector<double> errors) { return pixels_off(std::move(errors)); };
     BenchScene scene{{{"surface", "ground"}}, "frame"};
-    const auto add = [&](const char* method, const char* knob, std::initializer_list<const char*> values) {
-        for (const char* value : values)
-            scene.methods.push_back(of_lab("14", method, {{knob, value}}, together(ground_knobs, {{"method", method}}),
-                                           ground->camera, off, figures, settings));
+    const auto add = [&](const char* method, const char* knob, const std::vector<const char*>& values) {
+        for (size_t i = 0; i < values.size(); i += settings.is_first_look() ? 2 : 1)
+            scene.methods.push_back(of_lab("14", method, {{knob, values[i]}},
+                                           together(ground_knobs, {{"method", method}}), ground->camera, off, figures,
+                                           settings));
     };
     // The settings of common tutorials: level 64 near the eye, 4 far away, by distance alone.
     BenchMethod& usual = scene.methods.emplace_back(of_lab(
@@ -207,6 +208,7 @@ void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings)
     for (const BenchKnobs& levels :
          {BenchKnobs{{"method", "uniform"}, {"level", "1"}}, BenchKnobs{{"method", "uniform"}, {"level", "8"}},
           BenchKnobs{{"method", "uniform"}, {"level", "16"}}, BenchKnobs{{"method", "error"}, {"budget", "1"}}}) {
+        if (settings.is_first_look() && levels[1].second != "8") continue;
         BenchScene& scene = scenes.emplace_back();
         scene.knobs = {{"levels", levels[0].second}, levels[1]};
         scene.item = "frame";

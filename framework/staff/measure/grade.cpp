@@ -150,7 +150,8 @@ std::vector<BenchScene> grade_scenes(const BenchSettings& settings) {
         scene.item = "submission";
         const auto subject = [count](const std::function<void(size_t)>& grade) {
             return BenchSubject{.items = size_t(count),
-                                .run = [count, grade] { parallel_each(size_t(count), 0, grade); }};
+                                .run = [count, grade] { parallel_each(size_t(count), 0, grade); },
+                                .is_parallel = true};
         };
         for (const std::string seed : {"", "bench"})
             scene.methods.push_back({"relief", {{"hidden_views", seed.empty() ? "no" : "yes"}}, [=, &lab] {

@@ -19,6 +19,7 @@ struct Comparison {
 
 BenchScene compared(const Comparison& comparison, const BenchSettings& settings) {
     BenchScene scene{comparison.scene, "frame"};
+    const auto truth = std::make_shared<std::optional<Image>>();  // the same for every value of the knob
     for (const char* value : comparison.values)
         scene.methods.push_back({value,
                                  {{comparison.knob, value}},
@@ -30,13 +31,15 @@ BenchScene compared(const Comparison& comparison, const BenchSettings& settings)
                                      // A picture of one method; `far` shows all five when nothing is probed, and so is
                                      // not timed.
                                      Shot measured = shot;
-                                     measured.size = {128, 128}, measured.probe = {comparison.probe};
+                                     measured.size = glm::ivec2(settings.is_first_look() ? 64 : 128);
+                                     measured.probe = {comparison.probe};
                                      const std::shared_ptr<Lab> lab = make_lab(find_lab("19"), shot);
                                      BenchSubject subject =
                                          drawn(lab, comparison.probe == std::string("highlight") ? measured : shot);
                                      if (settings.pictures) show_picture(subject, *lab, shot);
-                                     const Image errors = error_image(render_shot(*lab, measured),
-                                                                      truth_of(*lab, measured), comparison.metric);
+                                     if (!*truth) *truth = truth_of(*lab, measured);
+                                     const Image errors =
+                                         error_image(render_shot(*lab, measured), **truth, comparison.metric);
                                      subject.error = error_over(errors, comparison.unit);
                                      if (comparison.metric != ErrorMetric::angle) subject.error.wrong.reset();
                                      if (settings.pictures) show_errors(subject, errors, comparison.brightest);
@@ -48,7 +51,8 @@ BenchScene compared(const Comparison& comparison, const BenchSettings& settings)
 
 std::vector<BenchScene> layers_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
-    for (const auto& [question, own] : {std::pair{"heights-add", "pd"}, {"along-normal", "pd"}, {"in-frame", "rnm"}})
+    for (const auto& [question, own] : {std::pair{"heights-add", "pd"}, {"along-normal", "pd"}, {"in-frame", "rnm"}}) {
+        if (settings.is_first_look() && question != std::string("heights-add")) continue;
         all.push_back(compared({{{"question", question}},
                                 "blend",
                                 {"linear", "overlay", "whiteout", "udn", "pd", "rnm", "swizzle"},
@@ -58,6 +62,7 @@ std::vector<BenchScene> layers_scenes(const BenchSettings& settings) {
                                 ErrorMetric::angle,
                                 10},
                                settings));
+    }
     for (const char* sharpness : {"1", "4", "16"})
         if (!settings.quick || sharpness == std::string("4"))
             all.push_back(compared({{{"view", "solid"}, {"shape", "sphere"}, {"sharpness", sharpness}},

@@ -127,12 +127,13 @@ private:
              const std::function<BenchError()>& error = {}) {
         BenchKnobs knobs = {{"threads", std::to_string(threads)}};
         if (bits > 0) knobs.emplace_back("bits", std::to_string(bits));
-        scene.methods.push_back({name, knobs, [maps = maps_, items = texels(), run, error] {
+        scene.methods.push_back({name, knobs, [maps = maps_, items = texels(), run, error, is_parallel = threads > 1] {
                                      maps->make();
                                      return BenchSubject{.items = items,
                                                          .bytes_per_item = bytes_per_texel,
                                                          .error = error ? error() : BenchError{},
-                                                         .run = run};
+                                                         .run = run,
+                                                         .is_parallel = is_parallel};
                                  }});
     }
 

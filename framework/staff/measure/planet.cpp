@@ -38,7 +38,7 @@ BenchMethod maps(const char* name, const BenchKnobs& knobs, const BenchKnobs& se
 BenchScene maps_of_level(int level, const BenchSettings& settings) {
     BenchScene scene{{{"level", std::to_string(level)}}, "maps"};
     for (const int texels : {64, 128, 256}) {
-        if (settings.quick && texels > 128) continue;
+        if (texels > (settings.is_first_look() ? 64 : settings.quick ? 128 : 256)) continue;
         const auto add = [&](const char* name, const BenchKnobs& set, bool peer = false) {
             const BenchKnobs size = {{"level", std::to_string(level)}, {"texels", std::to_string(texels >> level)}};
             scene.methods.push_back(
@@ -77,6 +77,7 @@ BenchScene planet_frames(const BenchSettings& settings) {
              }});
     };
     for (const char* budget : {"1", "2", "4"}) add("by-error", {{"levels", "error"}, {"budget", budget}});
+    if (settings.is_first_look()) return scene;
     for (const char* level : {"2", "3"}) add("uniform", {{"levels", "uniform"}, {"level", level}});
     for (const char* cull : {"none", "outside"})
         add("culling", {{"levels", "uniform"}, {"level", "3"}, {"cull", cull}});

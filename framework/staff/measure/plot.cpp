@@ -21,15 +21,13 @@ namespace {
 constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#8f887b",
                      *peer_color = "#23629b", *text_color = gnuplot_text_color;
 
-bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
-
 /// The panel of one scene, in milliseconds or nanoseconds.
 class Panel {
 public:
     Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
         : rows_(rows), number_(number), style_(style) {
         for (const size_t place : scene)
-            if (is_timed(rows[place])) timed_.push_back(place);
+            if (rows[place].is_timed()) timed_.push_back(place);
         double longest = 0;
         for (const size_t place : timed_) longest = std::max(longest, rows[place].times.median);
         if (longest >= 1e9)
@@ -52,12 +50,20 @@ public:
             "rgb '#8a857b'\n"
             "set tics nomirror textcolor rgb '{3}'\nset key off\n",
             style_.axes, gnuplot_text(title), style_.title, text_color);
-        text += fmt::format("set xlabel '{} per {}' noenhanced\n", unit_, first.item);
+        const bool any_wide =
+            std::any_of(timed_.begin(), timed_.end(), [&](size_t place) { return rows_[place].is_wide(); });
+        text += fmt::format("set xlabel '{} per {}{}' noenhanced\n", unit_, first.item,
+                            any_wide ? "; hollow: p90 over twice p10" : "");
         return text + (has_errors(rows_, timed_) ? points() : bars());
     }
 
 private:
     std::string label(size_t place) const { return point_label(rows_[place], place, style_); }
+    /// Returns the text that a browser shows at a point.
+    std::string title(size_t place) const {
+        return gnuplot_text(fmt::format("#{} {}{}", place, row_name(rows_[place]),
+                                        rows_[place].is_wide() ? ", p90 over twice p10" : ""));
+    }
     double time(size_t place) const { return rows_[place].times.median * scale_; }
 
     /// A log axis of less than two decades needs more tics than its powers of ten.
@@ -135,7 +141,7 @@ private:
         std::string text;
         for (const size_t place : timed_) {
             if (!rows_[place].error.unit.empty()) continue;
-            const std::string name = short_name(rows_[place]);
+            const std::string name = short_name(rows_[place]) + (rows_[place].is_wide() ? " (p90 over twice p10)" : "");
             const double x = place_of(time(place), all.ceiling, all).x;
             const double top = 0.97 * plot_size().y;
             Room room{{x - height() - 0.4 * style_.axes, top - width(name)}, {x, top}};
@@ -196,7 +202,8 @@ private:
         return named;
     }
 
-    /// Lines of data by the names of their blocks: pale, front, peers, sweeps, steps. None is empty.
+    /// Lines of data by the names of their blocks: pale, front, peers, sweeps, steps. The first three have a second
+    /// block for times with is_wide(), such as pale_wide. None is empty.
     using Blocks = std::map<std::string, std::string>;
     Blocks blocks(const Span& all, const std::map<size_t, size_t>& named) const {
         Blocks blocks;
@@ -210,11 +217,10 @@ private:
             for (size_t side = 0; side < sides.size(); ++side)
                 names += " " + gnuplot_text(found != named.end() && found->second == side ? label(place) : "");
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
-            blocks[row.peer          ? "peers"
-                   : is_front(place) ? "front"
-                                     : "pale"] +=
+            const std::string kind = row.peer ? "peers" : is_front(place) ? "front" : "pale";
+            blocks[kind + (row.is_wide() ? "_wide" : "")] +=
                 fmt::format("{} {} {} {} {}{}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
-                            gnuplot_text(fmt::format("#{} {}", place, row_name(row))), names);
+                            title(place), names);
         }
         for (const auto& [method, points] : by_method) blocks["sweeps"] += points + "\n";
         std::vector<size_t> line = front_;
@@ -227,19 +233,24 @@ private:
     /// Back to front: lines of a method's sweep, the front's steps, points, names.
     std::string layers(const Blocks& blocks) const {
         std::vector<std::string> plots;
-        const auto add = [&](const char* name, const std::string& how) {
+        const auto add = [&](const std::string& name, const std::string& how) {
             if (blocks.contains(name)) plots.push_back(fmt::format("${}{} {}", name, number_, how));
         };
-        const auto dots = [&](const char* name, const char* color, double size, int shape) {
-            add(name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
-            add(name,
-                fmt::format("using 1:2:5 with labels hypertext point pt {} ps {} lc rgb '{}'", shape, size, color));
+        const auto dots = [&](const std::string& name, const char* color, double size, int shape) {
+            const auto dot = [&](const std::string& block, int of_shape) {
+                add(block, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
+                add(block, fmt::format("using 1:2:5 with labels hypertext point pt {} ps {} lc rgb '{}'", of_shape,
+                                       size, color));
+            };
+            dot(name, shape);
+            dot(name + "_wide", shape - 1);  // the hollow shape
         };
-        const auto names = [&](const char* name, const char* color) {
+        const auto names = [&](const std::string& name, const char* color) {
             const std::string look = fmt::format("font ',{}' textcolor rgb '{}' noenhanced", style_.names, color);
-            for (size_t i = 0; i < sides.size(); ++i)
-                add(name, fmt::format("using 1:2:{} with labels {} offset {},{} {}", 6 + i, sides[i].align, sides[i].x,
-                                      sides[i].y, look));
+            for (const char* block : {"", "_wide"})
+                for (size_t i = 0; i < sides.size(); ++i)
+                    add(name + block, fmt::format("using 1:2:{} with labels {} offset {},{} {}", 6 + i, sides[i].align,
+                                                  sides[i].x, sides[i].y, look));
         };
         add("sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
         add("steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
@@ -262,25 +273,29 @@ private:
         return text + layers(data);
     }
 
-    /// Bars with their names inside, where even long names have room.
+    /// Bars, each below its name.
     std::string bars() const {
         std::string data;
         for (size_t i = 0; i < timed_.size(); ++i) {
             const BenchRow& row = rows_[timed_[i]];
             data += fmt::format("{} {} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
-                                row.times.p90 * scale_, gnuplot_text(fmt::format("#{} {}", timed_[i], row_name(row))),
-                                row.peer ? 1 : 0, gnuplot_text(short_name(row)));
+                                row.times.p90 * scale_, title(timed_[i]), 2 * row.peer + row.is_wide(),
+                                gnuplot_text(short_name(row)));
         }
-        return fmt::format(
-            "$bars{0} << END\n{1}END\nset style fill solid\nunset ytics\n"
-            "set yrange [0.3:{2}]\nset xrange [0:*]\nset grid xtics lc rgb '#ece8e0'\n"
-            "plot $bars{0} using ($6==0?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#e3b99d', \\\n"
-            "  $bars{0} using ($6==1?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#aac6df', \\\n"
-            "  $bars{0} using 2:1:3:4 with xerrorbars pt 0 lw 1 lc rgb '{3}', \\\n"
-            "  $bars{0} using 2:1:5 with labels hypertext point pt 7 ps 0.4 lc rgb '{3}', \\\n"
-            "  $bars{0} using (0):1:7 with labels left offset 0.6,0 font ',{4}' textcolor rgb '{3}' noenhanced\n",
-            number_, data, double(timed_.size()) + 0.7, text_color,
-            timed_.size() > 14 ? style_.names - 2 : style_.names);
+        std::string text = fmt::format(
+            "$bars{0} << END\n{1}END\nunset ytics\nset yrange [0.4:{2}]\nset xrange [0:*]\n"
+            "set grid xtics lc rgb '#ece8e0'\nplot ",
+            number_, data, double(timed_.size()) + 0.6);
+        for (const int kind : {0, 1, 2, 3})
+            text += fmt::format(
+                "$bars{0} using ($6=={1}?$2/2:1/0):($1-0.3):($2/2):(0.16) with boxxyerror fs {2} lc rgb '{3}', \\\n  ",
+                number_, kind, kind % 2 == 1 ? "empty" : "solid noborder", kind < 2 ? "#e3b99d" : "#aac6df");
+        return text + fmt::format(
+                          "$bars{0} using 2:($1-0.3):3:4 with xerrorbars pt 0 lw 1 lc rgb '{1}', \\\n"
+                          "  $bars{0} using 2:($1-0.3):5 with labels hypertext point pt 7 ps 0.4 lc rgb '{1}', \\\n"
+                          "  $bars{0} using (0):($1+0.2):7 with labels left offset 0.6,0 font ',{2}' textcolor rgb "
+                          "'{1}' noenhanced\n",
+                          number_, text_color, style_.names);
     }
 
     std::span<const BenchRow> rows_;
@@ -291,8 +306,16 @@ private:
     const char* unit_ = "ns";
 };
 
+/// Returns the height that the bars of a scene need for their names; 0 without bars.
+int height_of_bars(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
+    const auto timed = std::count_if(scene.begin(), scene.end(), [&](size_t place) { return rows[place].is_timed(); });
+    return has_errors(rows, scene) ? 0 : 105 + int(2.4 * style.names * double(timed));
+}
+
 std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
-    const PanelStyle style;
+    PanelStyle style;
+    for (const std::vector<size_t>& scene : scenes_of(rows))
+        style.size.y = std::max(style.size.y, height_of_bars(rows, scene, style));
     std::vector<std::string> panels;
     for (const std::vector<size_t>& scene : scenes_of(rows))
         if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
@@ -300,8 +323,9 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
     if (panels.empty()) return {};
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
     return gnuplot_panels(
-        fmt::format("{}: {} clock, {}{}", topic.name, machine.clock, by, machine.is_quick ? ", quick run" : ""), panels,
-        {style.size});
+        fmt::format("{}: {} clock, {}{}{}{}", topic.name, clocks_of(rows), by, machine.load > 0 ? ", " : "",
+                    load_text(machine), machine.is_quick ? ", quick run" : ""),
+        panels, {style.size});
 }
 
 }  // namespace
@@ -332,7 +356,7 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
     std::vector<size_t> places, front;
     std::vector<std::pair<double, double>> points;
     for (const size_t place : scene)
-        if (is_timed(rows[place]) && !rows[place].error.unit.empty()) {
+        if (rows[place].is_timed() && !rows[place].error.unit.empty()) {
             places.push_back(place);
             points.emplace_back(rows[place].times.median, rows[place].error.mean);
         }
@@ -358,7 +382,7 @@ std::vector<size_t> numbered_rows(const BenchTopic& topic, std::span<const Bench
     if (!has_errors(rows, scene)) return {};
     numbered = front_of(rows, scene);
     for (const size_t place : scene)
-        if (rows[place].peer && is_timed(rows[place]) && !rows[place].error.unit.empty() &&
+        if (rows[place].peer && rows[place].is_timed() && !rows[place].error.unit.empty() &&
             std::find(numbered.begin(), numbered.end(), place) == numbered.end())
             numbered.push_back(place);
     std::stable_sort(numbered.begin(), numbered.end(),
@@ -388,7 +412,8 @@ std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const B
                                       const std::vector<size_t>& scene, const PanelStyle& style,
                                       const std::string& name) {
     PanelStyle whole = style;
-    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, whole) : Panel(rows, scene, 0, style).script();
+    if (!topic.sweeps) whole.size.y = std::max(whole.size.y, height_of_bars(rows, scene, style));
+    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, whole) : Panel(rows, scene, 0, whole).script();
     return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, whole), name, topic.question);
 }
 

@@ -70,8 +70,9 @@ BenchKnobs knobs_from(const std::string& text) {
 
 constexpr const char* header =
     "topic,scene,method,knobs,state,items,item,repeats,clock,ns_per_item_median,ns_per_item_p10,ns_per_item_p90,"
-    "bytes_per_item,error_mean,error_p99,error_largest,error_unit,error_wrong,work,stated,places,renderer,cpu,compiler,"
-    "commit";
+    "spread,"
+    "bytes_per_item,error_mean,error_p99,error_largest,error_unit,error_wrong,work,stated,places,renderer,cpu,load,"
+    "processors,compiler,commit";
 
 std::string work_text(const BenchWork& work) {
     std::string text;
@@ -95,7 +96,7 @@ std::string places_text(const BenchSweep& sweep) {
 /// The columns of a table, and their widths.
 struct TableColumns {
     size_t method = 6, knobs = 5;
-    bool time = false, rate = false, error = false, wrong = false;
+    bool time = false, wide = false, rate = false, error = false, wrong = false;
     bool in_milliseconds = false;  ///< one unit for the whole table
 };
 
@@ -105,6 +106,7 @@ TableColumns columns_of(std::span<const BenchRow> rows) {
         columns.method = std::max(columns.method, row.method.size());
         columns.knobs = std::max(columns.knobs, knob_text(row.knobs).size());
         columns.time |= row.repeats > 0;
+        columns.wide |= row.is_wide();
         columns.rate |= row.bytes_per_item > 0;
         columns.error |= !row.error.unit.empty();
         columns.wrong |= row.error.wrong.has_value();
@@ -125,6 +127,7 @@ std::string table_head(const TableColumns& columns, const std::string& item, con
     std::string text = fmt::format("{:<{}}  {:<{}}", "method", columns.method, "knobs", columns.knobs);
     if (columns.time)
         text += fmt::format("  {:>13}  {:>9}  {:>9}", (columns.in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90");
+    if (columns.wide) text += "  ";
     if (columns.rate) text += fmt::format("  {:>6}", "GB/s");
     if (columns.error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + error_title, "p99", "largest");
     if (columns.wrong) text += "   wrong %";
@@ -142,6 +145,7 @@ std::string table_line(const TableColumns& columns, const BenchRow& row, bool na
     if (columns.time)
         text += cell(timed, scale * row.times.median, 13) + cell(timed, scale * row.times.p10, 9) +
                 cell(timed, scale * row.times.p90, 9);
+    if (columns.wide) text += row.is_wide() ? " *" : "  ";
     if (columns.rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
     if (columns.error)
         text += cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
@@ -177,7 +181,25 @@ std::string cpu_name() {
     return "unknown";
 }
 
-std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows) {
+double load_average() {
+    double load = 0;
+    return getloadavg(&load, 1) == 1 ? load : 0;
+}
+
+std::string load_text(const BenchMachine& machine) {
+    if (machine.load <= 0) return {};
+    return "load " + rounded(machine.load, 2) +
+           (machine.processors == 0 ? "" : fmt::format(" on {} processors", machine.processors));
+}
+
+std::string clocks_of(std::span<const BenchRow> rows) {
+    std::set<std::string> clocks;
+    for (const BenchRow& row : rows)
+        if (row.is_timed()) clocks.insert(row.clock);
+    return join(std::vector(clocks.begin(), clocks.end()), " and ");
+}
+
+std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
     const TableColumns columns = columns_of(rows);
     std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
     const BenchRow* before = nullptr;
@@ -194,6 +216,12 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
         before = &row;
         text += table_line(columns, row, names_units);
     }
+    if (columns.wide)
+        text +=
+            "* p90 is more than twice p10: other load may have decided this time. Measure again on an idle machine.\n";
+    if (columns.time && machine.load > 0)
+        text += fmt::format("{}: the largest average over a minute during the run, with this program\n",
+                            load_text(machine));
     return text;
 }
 
@@ -210,10 +238,11 @@ std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machin
                                       std::to_string(row.items),
                                       row.item,
                                       std::to_string(row.repeats),
-                                      machine.clock,
+                                      timed ? row.clock : "",
                                       timed ? number(row.times.median) : "",
                                       timed ? number(row.times.p10) : "",
                                       timed ? number(row.times.p90) : "",
+                                      row.is_wide() ? "wide" : "",
                                       row.bytes_per_item > 0 ? number(row.bytes_per_item) : "",
                                       known ? number(error.mean) : "",
                                       known ? number(error.p99) : "",
@@ -225,6 +254,8 @@ std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machin
                                       row.sweep ? places_text(*row.sweep) : "",
                                       machine.renderer,
                                       machine.cpu,
+                                      timed && machine.load > 0 ? number(machine.load) : "",
+                                      timed && machine.processors > 0 ? std::to_string(machine.processors) : "",
                                       machine.compiler,
                                       machine.commit};
         std::string line;
@@ -270,7 +301,16 @@ std::vector<BenchRow> read_bench_csv(const std::string& text) {
 
 std::string short_name(const BenchRow& row) {
     std::string text = row.method;
-    for (const auto& [knob, value] : row.knobs) text += " " + value;
+    for (const auto& [knob, value] : row.knobs) {
+        std::string name = knob;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (!parse_number(value))
+            text += " " + value;
+        else if (knob.ends_with('s'))
+            text += fmt::format(" {} {}", value, value == "1" ? name.substr(0, name.size() - 1) : name);
+        else
+            text += fmt::format(" {} {}", name, value);
+    }
     return text;
 }
 

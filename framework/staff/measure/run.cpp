@@ -110,11 +110,10 @@ public:
 
     void measure(std::vector<size_t> methods) {
         if (run_.pinned) pin_software_renderer();
-        if (run_.settings.repeats > 0) optimize_shaders();
+        if (run_.settings.repeats > 0 && !topic_.sweeps) optimize_shaders();  // sweeps draw a picture once
         const auto context = topic_.draws ? open_context(run_.context) : nullptr;
         is_on_gpu_ = context && !is_software_renderer();
-        send(pipe_,
-             {{"renderer", context ? describe_context().renderer : "none"}, {"clock", is_on_gpu_ ? "gpu" : "wall"}});
+        send(pipe_, {{"renderer", context ? describe_context().renderer : "none"}});
         std::vector<BenchSubject> subjects;
         std::vector<size_t> places;
         for (const size_t place : methods) {
@@ -122,7 +121,7 @@ public:
             attempt([&] {
                 BenchSubject subject = scene_.methods[place].prepare();
                 if (const std::string fault = fault_of(subject); !fault.empty()) return failed(place, fault);
-                send(pipe_, {{"method", place}, {"subject", as_json(subject)}});
+                send(pipe_, {{"method", place}, {"subject", as_json(subject)}, {"clock", clock_name(subject)}});
                 subject.picture = subject.error_map = {};
                 subjects.push_back(std::move(subject));
                 places.push_back(place);
@@ -137,11 +136,18 @@ public:
     }
 
 private:
+    const char* clock_name(const BenchSubject& subject) const {
+        return is_on_gpu_ ? "gpu" : topic_.draws || subject.is_parallel ? "wall" : "cpu";
+    }
     BenchClock clock() const {
-        if (is_on_gpu_) return by_gpu_clock;
-        if (!topic_.draws) return by_wall_clock;
-        return [](const std::function<void()>& run, size_t times) {
-            return by_wall_clock([&] { run(), glFinish(); }, times);
+        if (is_on_gpu_)
+            return [](const BenchSubject& subject, size_t times) { return by_gpu_clock(subject.run, times); };
+        if (topic_.draws)
+            return [](const BenchSubject& subject, size_t times) {
+                return by_wall_clock([&] { subject.run(), glFinish(); }, times);
+            };
+        return [](const BenchSubject& subject, size_t times) {
+            return subject.is_parallel ? by_wall_clock(subject.run, times) : by_cpu_clock(subject.run, times);
         };
     }
     void begin(size_t place) { current_ = int(place); }
@@ -214,12 +220,12 @@ public:
         if (message.contains("wrong use")) throw UsageError(message.at("wrong use").get<std::string>());
         if (message.contains("renderer")) {
             machine_.renderer = message.at("renderer");
-            machine_.clock = message.at("clock");
             return report(first_open());
         }
         if (message.contains("subject")) {
             BenchRow& row = rows_[message.at("method")];
             read_subject(message.at("subject"), row);
+            row.clock = message.at("clock");
             row.state = "measured";
             return report(first_open());
         }

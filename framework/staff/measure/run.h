@@ -26,7 +26,7 @@ struct BenchRun {
 int steps_of(const BenchScene& scene, const BenchSettings& settings);
 
 /// Measures the scene's methods. A method that throws, crashes or returns NaN gets a row with the reason; the others
-/// continue. Fills in the renderer and the clock of `machine`. Throws Error if no context opens or no process can be
+/// continue. Fills in the renderer of `machine`. Throws Error if no context opens or no process can be
 /// started.
 std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
                                 BenchMachine& machine);

@@ -51,8 +51,11 @@ namespace {
 
 std::vector<BenchScene> stability_scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
-    for (const auto part : {tangent_sweeps, codec_sweeps, height_sweeps, hit_sweeps, lab_sweeps, layer_sweeps})
-        for (BenchScene& scene : part(settings)) all.push_back(std::move(scene));
+    for (const auto part : {tangent_sweeps, codec_sweeps, height_sweeps, hit_sweeps, lab_sweeps, layer_sweeps}) {
+        std::vector<BenchScene> scenes = part(settings);
+        for (size_t i = 0; i < scenes.size(); i += settings.is_first_look() ? 2 : 1)
+            all.push_back(std::move(scenes[i]));
+    }
     return all;
 }
 

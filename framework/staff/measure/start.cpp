@@ -109,7 +109,7 @@ std::vector<BenchScene> start_scenes(const BenchSettings& settings) {
             if (kind == "ppm") write_image(from = folder->path() / "texture.ppm", read_asset(texture));
             const Words command = {floor.string(), from.string(), (folder->path() / ("floor." + kind)).string(),
                                    samples};
-            return BenchSubject{.run = [folder, command] { run(command); }};
+            return BenchSubject{.run = [folder, command] { run(command); }, .is_parallel = true};
         };
         if (fs::exists(floor))
             for (const std::string samples : {"1", "4"})  // a shot has four
@@ -122,7 +122,8 @@ std::vector<BenchScene> start_scenes(const BenchSettings& settings) {
             const auto prepare = [=, repeats = settings.repeats] {
                 const Words command = shot(folder->path() / ("shot." + kind));
                 return BenchSubject{.work = parts_of(command, with_cache, repeats),
-                                    .run = [folder, command, with_cache] { run(command, with_cache); }};
+                                    .run = [folder, command, with_cache] { run(command, with_cache); },
+                                    .is_parallel = true};
             };
             scene.methods.push_back({"shot", {{"shaders", with_cache ? "cached" : "compiled"}}, prepare});
         }

@@ -58,7 +58,8 @@ std::vector<BenchScene> tangents_scenes(const BenchSettings& settings) {
                      return BenchSubject{
                          .items = work->triangles(),
                          .error = error_of(corner_tangents(error_mesh(), method)),
-                         .run = [=] { corner_tangents(work->mesh, method, work->tangents, nullptr, threads); }};
+                         .run = [=] { corner_tangents(work->mesh, method, work->tangents, nullptr, threads); },
+                         .is_parallel = threads > 1};
                  }});
     const auto usual = [work] {
         work->make();

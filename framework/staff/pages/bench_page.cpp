@@ -97,7 +97,10 @@ public:
                 {"all", count == 1 ? "All figures" : fmt::format("All {} scenes", count)},
                 {"renderer", machine.renderer},
                 {"cpu", machine.cpu},
-                {"clock", topic.sweeps ? "" : machine.clock},
+                {"clock", measure::clocks_of(result_.rows)},
+                {"load", topic.sweeps ? "" : measure::load_text(machine)},
+                {"any_wide", std::any_of(result_.rows.begin(), result_.rows.end(),
+                                         [](const measure::BenchRow& row) { return row.is_wide(); })},
                 {"compiler", machine.compiler},
                 {"commit", machine.commit},
                 {"scenes", std::move(scenes)}};
@@ -174,7 +177,8 @@ private:
                  }});
             columns.push_back({"p10 to p90", [this](const measure::BenchRow& row) {
                                    if (row.repeats == 0) return std::string();
-                                   return rounded(row.times.p10 * scale_) + " to " + rounded(row.times.p90 * scale_);
+                                   return rounded(row.times.p10 * scale_) + " to " + rounded(row.times.p90 * scale_) +
+                                          (row.is_wide() ? " *" : "");
                                }});
         }
         if (!units.empty()) {
@@ -224,6 +228,7 @@ private:
     std::string words(const measure::BenchRow& row) const {
         std::string text = measure::row_name(row);
         if (row.repeats > 0) text += fmt::format(": {} {} a {}", rounded(row.times.median * scale_), unit_, row.item);
+        if (row.is_wide()) text += " (p90 over twice p10)";
         if (!row.error.unit.empty()) text += ", mean error " + amount_of(row.error.mean, row.error.unit);
         if (row.error.wrong) text += fmt::format(", {} % wrong", rounded(*row.error.wrong * 100));
         return text;

@@ -20,7 +20,7 @@ constexpr int outcomes = int(check::Outcome::machine) + 1;
 using Counts = std::array<size_t, outcomes>;
 
 /// Returns a known mistake as one word for the filter. It starts with the task, since ids are unique only within a lab.
-std::string named(const grade::TaskMark& task) { return task.id + "\u00a0" + task.mistake; }
+std::string named(const check::TaskVerdict& task) { return task.id + "\u00a0" + task.mistake; }
 
 /// All counts over a class.
 class ClassCounts {
@@ -75,13 +75,13 @@ private:
         for (const grade::LabMark& lab : mark.labs) {
             times.add(lab.times);
             busy += lab.times.sum();
-            for (const grade::TaskMark& task : lab.tasks) add(lab.lab, task);
+            for (const check::TaskVerdict& task : lab.tasks) add(lab.lab, task);
         }
         waiting += std::max(0.0, mark.seconds - busy);
     }
 
-    void add(const std::string& lab, const grade::TaskMark& task) {
-        for (const grade::CheckMark& check : task.checks) {
+    void add(const std::string& lab, const check::TaskVerdict& task) {
+        for (const check::Verdict& check : task.checks) {
             std::vector<OfCheck>& known = checks[lab];
             const auto [entry, is_new] = place_.try_emplace({lab, task.id, check.name}, known.size());
             if (is_new) known.push_back({task.id, check.name, check.hidden});
@@ -148,10 +148,13 @@ Fields line_of(const grade::Standing& standing) {
     size_t all = 0;
     if (standing.mark)
         for (const grade::LabMark& lab : standing.mark->labs)
-            for (const grade::TaskMark& task : lab.tasks) {
-                for (const grade::CheckMark& check : task.checks) ++of[size_t(check.outcome)], ++all;
+            for (const check::TaskVerdict& task : lab.tasks) {
+                for (const check::Verdict& check : task.checks) ++of[size_t(check.outcome)], ++all;
                 if (!task.mistake.empty()) mistakes.insert(named(task));
             }
+    const auto missing = standing.mark ? std::count_if(standing.labs.begin(), standing.labs.end(),
+                                                       [](const grade::LabStanding& lab) { return !lab.handed_in; })
+                                       : 0;
     List remarks;
     for (const std::string& remark : standing.remarks()) remarks.push_back(remark);
     return {
@@ -162,7 +165,8 @@ Fields line_of(const grade::Standing& standing) {
         {"total", points_cell("points", standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
         {"cells", std::move(cells)},
         {"problem", standing.mark ? standing.mark->problem : standing.state()},
-        {"all_passed", all > 0 && of[size_t(check::Outcome::passed)] == all},
+        {"all_passed", all > 0 && missing == 0 && of[size_t(check::Outcome::passed)] == all},
+        {"missing", missing > 0 ? count_of(size_t(missing), "lab") + " not handed in" : ""},
         {"outcomes", outcome_counts(of, check::Outcome(1))},
         {"mistakes", List(mistakes.begin(), mistakes.end())},
         {"remarks", rows(std::move(remarks))}};

@@ -60,6 +60,9 @@ std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, P
         notes.push_back(Fields{{"task", one.task},
                                {"points", (one.points > 0 ? "+" : "") + amount_of(one.points, "point")},
                                {"note", grade::printable(one.note, 1000)}});
+    List files;
+    if (standing.mark) files.insert(files.end(), standing.mark->remarks.begin(), standing.mark->remarks.end());
+    files.insert(files.end(), standing.team_remarks.begin(), standing.team_remarks.end());
     std::string late_days;
     if (standing.bank_days > 0)
         late_days = fmt::format("Late days used in this term: {} of {}", standing.bank_used, standing.bank_days);
@@ -68,7 +71,8 @@ std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, P
                                                      {"of", standing.of()},
                                                      {"late_days", late_days},
                                                      {"labs", has_more ? rows(std::move(labs)) : Value()},
-                                                     {"notes", rows(std::move(notes))}});
+                                                     {"notes", rows(std::move(notes))},
+                                                     {"files", rows(std::move(files))}});
 }
 
 }  // namespace

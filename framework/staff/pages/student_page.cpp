@@ -40,7 +40,7 @@ public:
 private:
     Fields of(const grade::LabMark& lab) {
         List tasks;
-        for (const grade::TaskMark& task : lab.tasks) tasks.push_back(of(lab, task));
+        for (const check::TaskVerdict& task : lab.tasks) tasks.push_back(of(lab, task));
         return {{"number", number_of(lab.lab)},
                 {"title", lab_title(lab.lab)},
                 {"graded", lab.graded()},
@@ -51,12 +51,12 @@ private:
                 {"tasks", std::move(tasks)}};
     }
 
-    Fields of(const grade::LabMark& lab, const grade::TaskMark& task) {
+    Fields of(const grade::LabMark& lab, const check::TaskVerdict& task) {
         check::Outcome worst = check::Outcome::passed;
         task_has_pictures_ = false;
         told_.clear();
         List checks;
-        for (const grade::CheckMark& check : task.checks) {
+        for (const check::Verdict& check : task.checks) {
             worst = std::max(worst, check.outcome);
             any_hidden_ |= check.hidden;
             const bool is_secret = for_student_ && (check.hidden || !check.view.empty());
@@ -65,7 +65,7 @@ private:
         return {{"id", task.id},
                 {"title", task.title},
                 {"file", task.file},
-                {"points", points_shown(task.points)},
+                {"points", points_shown(task.points())},
                 {"of", task.of},
                 {"worst", badge(worst)},
                 {"mistake", task.hint.empty() ? "" : task.mistake},
@@ -73,9 +73,9 @@ private:
                 {"checks", std::move(checks)}};
     }
 
-    Fields of(const grade::LabMark& lab, const grade::TaskMark& task, const grade::CheckMark& check) {
+    Fields of(const grade::LabMark& lab, const check::TaskVerdict& task, const check::Verdict& check) {
         const grade::CheckPictures* const shown = pictures_of(lab, task, check);
-        const grade::CheckMark* const before = &check == &task.checks.front() ? nullptr : &check - 1;
+        const check::Verdict* const before = &check == &task.checks.front() ? nullptr : &check - 1;
         const bool as_above = !shown && before && before->outcome == check.outcome && before->found == check.found;
         const bool open = check.outcome != check::Outcome::passed && !as_above,
                    wrong = check.outcome == check::Outcome::wrong;
@@ -107,15 +107,15 @@ private:
 
     /// Returns the check's hint, unless an earlier failed check of the task has shown the same one, or the hint of a
     /// known mistake stands above.
-    static std::string first_hint(const grade::TaskMark& task, const grade::CheckMark& check) {
+    static std::string first_hint(const check::TaskVerdict& task, const check::Verdict& check) {
         if (!task.hint.empty() && check.outcome == check::Outcome::wrong && !check.hidden) return {};
-        for (const grade::CheckMark* other = &task.checks.front(); other != &check; ++other)
+        for (const check::Verdict* other = &task.checks.front(); other != &check; ++other)
             if (other->outcome != check::Outcome::passed && other->look_at == check.look_at) return {};
         return check.look_at;
     }
 
     /// Returns the fields of a check that a student may see without its views.
-    static Fields secret(const grade::TaskMark& task, const grade::CheckMark& check) {
+    static Fields secret(const check::TaskVerdict& task, const check::Verdict& check) {
         const bool passed = check.outcome == check::Outcome::passed;
         Fields outcome = badge(check.outcome);
         if (check.hidden && passed) outcome["words"] = "hidden check: passed";
@@ -145,8 +145,8 @@ private:
         return facts;
     }
 
-    const grade::CheckPictures* pictures_of(const grade::LabMark& lab, const grade::TaskMark& task,
-                                            const grade::CheckMark& check) const {
+    const grade::CheckPictures* pictures_of(const grade::LabMark& lab, const check::TaskVerdict& task,
+                                            const check::Verdict& check) const {
         for (const grade::CheckPictures& one : pictures_)
             if (one.lab == lab.lab && one.check.task == task.id && one.check.name == check.name) return &one;
         return nullptr;
@@ -157,11 +157,11 @@ private:
         List tasks;
         for (const grade::LabMark& lab : mark_.labs) {
             if (!lab.graded()) continue;
-            for (const grade::TaskMark& task : lab.tasks)
-                if (task.points < task.of)
+            for (const check::TaskVerdict& task : lab.tasks)
+                if (task.points() < task.of)
                     tasks.push_back(Fields{{"id", task.id},
                                            {"title", task.title},
-                                           {"points", points_shown(task.points)},
+                                           {"points", points_shown(task.points())},
                                            {"of", task.of},
                                            {"hint", rows(with_code(task.hint).list)}});
         }

@@ -20,6 +20,32 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Returns a student's page with another name as its title.
+std::string renamed(std::string page, const std::string& from, const std::string& to) {
+    const auto escaped = [](const std::string& name) {
+        std::string text = escaped_markup(grade::printable(name));
+        for (size_t at = text.find('\''); at != std::string::npos; at = text.find('\'', at))
+            text.replace(at, 1, "&#39;");
+        return text;
+    };
+    for (const std::string tag : {"<title>", "<h1><bdi>"}) {
+        const std::string before = tag + escaped(from) + "<";
+        if (const size_t at = page.find(before); at != std::string::npos)
+            page.replace(at, before.size(), tag + escaped(to) + "<");
+    }
+    return page;
+}
+
+/// Returns the pictures of the labs whose marks count.
+std::vector<grade::ExportPicture> pictures_of(const grade::Standing& standing, const fs::path& folder) {
+    if (standing.sources.empty()) return read_pictures(folder / pictures_file(standing.name));
+    std::vector<grade::ExportPicture> all;
+    for (const auto& [lab, source] : standing.sources)
+        for (grade::ExportPicture& one : read_pictures(folder / pictures_file(source)))
+            if (one.lab == lab) all.push_back(std::move(one));
+    return all;
+}
+
 /// Writes the standing into a student's page, and creates the page if it does not exist. The page of a student without
 /// a submission has nothing else.
 void write_standing(const grade::Standing& standing, grade::UtcOffset offset, const fs::path& folder, PageFor reader) {
@@ -27,6 +53,15 @@ void write_standing(const grade::Standing& standing, grade::UtcOffset offset, co
     grade::SubmissionMark nothing;
     nothing.name = standing.name;
     nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
+    if (standing.mark && !standing.is_of(standing.name)) {  // the mark of the team
+        const fs::path source = folder / page_file(standing.mark->name, reader);
+        grade::SubmissionMark mark = *standing.mark;
+        mark.name = standing.name;
+        const bool is_whole = standing.is_of(standing.mark->name) && fs::exists(source);
+        const std::string page =
+            is_whole ? renamed(read_file(source), standing.mark->name, standing.name) : student_page(mark, {}, reader);
+        return write_page(file, with_standing(page, standing, offset, reader));
+    }
     // A run that does not name a graded submission keeps its result, and so its page.
     const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(grade::result_file(folder, standing.name)));
     const std::string page =
@@ -91,7 +126,7 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const grade::Standing& one = standing.students[i];
         const std::string name = grade::file_name_of(one.name);
-        const std::vector<grade::ExportPicture> pictures = read_pictures(folder / pictures_file(one.name));
+        const std::vector<grade::ExportPicture> pictures = pictures_of(one, folder);
         write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one, pictures));
         write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one, pictures));
         write_file(folder / "surefire" / ("TEST-" + name + ".xml"), grade::to_surefire(one));

@@ -47,8 +47,11 @@ bool meets_box(const glm::dvec3& origin, const glm::dvec3& inverse, double end, 
     return enters <= leaves * 1.0000004;
 }
 
-void each_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end,
-              const std::function<void(const MeshHit&)>& take) {
+namespace {
+
+/// Calls `take` for hits with t in [0, end]. A call may reduce `end`.
+template <class Take>
+void walk(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double& end, const Take& take) {
     const RayAxes axes = axes_of(ray.direction);
     const glm::dvec3 inverse = inverse_direction(ray.direction);
     const auto position = [&](uint32_t triangle, uint32_t corner) {
@@ -71,10 +74,20 @@ void each_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double
     }
 }
 
-std::optional<MeshHit> first_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end) {
+}  // namespace
+
+void each_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end,
+              const std::function<void(const MeshHit&)>& take) {
+    walk(tree, mesh, ray, end, take);
+}
+
+std::optional<MeshHit> first_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end,
+                                 bool front_only) {
     std::optional<MeshHit> first;
-    each_hit(tree, mesh, ray, end, [&](const MeshHit& hit) {
+    walk(tree, mesh, ray, end, [&](const MeshHit& hit) {
+        if (front_only && !hit.is_front) return;
         if (!first || hit.t < first->t || (hit.t == first->t && hit.is_front && !first->is_front)) first = hit;
+        end = first->t;
     });
     return first;
 }

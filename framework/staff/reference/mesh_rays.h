@@ -43,8 +43,10 @@ struct MeshHit {
 void each_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end,
               const std::function<void(const MeshHit&)>& take);
 
-/// Returns the nearest hit with t in [0, end]. Among hits at equal t it prefers a front face.
-std::optional<MeshHit> first_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end);
+/// Returns the nearest hit with t in [0, end]. Among hits at equal t it prefers a front face. `front_only` culls back
+/// faces.
+std::optional<MeshHit> first_hit(const TriangleTree& tree, const Mesh& mesh, const Ray& ray, double end,
+                                 bool front_only = false);
 
 /// Returns the interpolated normal of the triangle's corners, with unit length.
 glm::dvec3 normal_at(const Mesh& mesh, const MeshHit& hit);

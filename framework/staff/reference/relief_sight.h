@@ -4,10 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "framework/core/mesh/mesh.h"
 #include "framework/core/mesh/relief.h"
+#include "framework/core/mesh/tree.h"
 #include "framework/staff/reference/parallax.h"
 
 namespace relief {
@@ -26,20 +25,17 @@ struct ReliefSight {
 /// resolve.
 constexpr double least_slant = 0.002;
 
+/// Sights of one mesh, which must outlive this object.
 class ReliefSights {
 public:
     explicit ReliefSights(const Mesh& mesh);
-    /// Returns the first triangle that the ray hits (Möller and Trumbore 1997), from the distance `begin` on.
-    /// `front_only` culls back faces.
+    /// Returns the first triangle that the ray hits, from the distance `begin` on. `front_only` culls back faces.
     std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, double begin,
                                     bool front_only = false) const;
 
 private:
-    struct Triangle {
-        glm::dvec3 corner, e1, e2;
-    };
     const Mesh& mesh_;
-    std::vector<Triangle> triangles_;
+    TriangleTree tree_;
 };
 
 }  // namespace relief

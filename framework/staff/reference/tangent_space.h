@@ -17,14 +17,14 @@ glm::dvec3 from_tangent_space(const glm::dvec3& direction, const glm::dvec3& nor
 glm::dvec3 to_tangent_space(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
 /// Returns a frame whose columns are tangent, bitangent and normal as interpolated, neither normalised nor
-/// perpendicular. This is the frame of MikkTSpace and of bakers that follow it (Mikkelsen 2008). The program that bakes
-/// a map decides which frame it needs.
+/// perpendicular. This is the frame of MikkTSpace (Mikkelsen 2008) with the bitangent of each pixel. The program that
+/// bakes a map decides which frame it needs.
 glm::dmat3 interpolated_frame(const glm::dvec3& normal, const glm::dvec4& tangent);
 glm::dvec3 from_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 /// The inverse of from_interpolated_frame(). NaN if normal and tangent are parallel, or if one is zero.
 glm::dvec3 to_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
-/// Returns a frame from screen derivatives of position and uv (dFdx and dFdy), without vertex tangents (Schuler 2013).
+/// Returns a frame from screen derivatives of position and uv (dFdx and dFdy), without vertex tangents (Schüler 2013).
 /// The first two columns are the gradients of u and v on the surface, scaled together so that the longer one has unit
 /// length. They are not perpendicular where the uv are sheared, and zero where the uv do not change.
 glm::dmat3 cotangent_frame(const glm::dvec3& normal, const glm::dvec3& position_dx, const glm::dvec3& position_dy,

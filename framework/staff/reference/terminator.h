@@ -12,10 +12,9 @@ namespace relief {
 /// Both return a factor on the light, from 0 to 1, for unit vectors: the normal of the base, the normal of the map, and
 /// the direction to the light. A light below the base gives 0. Finite for all unit vectors.
 ///
-/// Estevez, Lecocq and Ebelin, "A microfacet-based shadowing function to solve the bump terminator problem", Ray
-/// Tracing Gems, 2019.
+/// The shadowing function of Conty Estevez, Lecocq and Stein (2019).
 double estevez_shadow(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& to_light);
-/// Chiang, Li and Burley, "Taming the shadow terminator", SIGGRAPH Talks, 2019.
+/// The factor of Chiang, Li and Burley (2019).
 double chiang_shadow(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& to_light);
 
 /// The light of a normal that is one of two facets, as means over the mapped facet of the cosine of the light that
@@ -34,8 +33,7 @@ struct FacetLight {
 /// order). No light is lost: the sum is (base . L) (base . n), which does not depend on the direction of the tilt. A
 /// light or a mapped normal that is not above the base gives 0. Finite for all unit vectors.
 ///
-/// Schüssler, Heitz, Hanika and Dachsbacher, "Microfacet-based normal mapping for robust Monte Carlo path tracing",
-/// SIGGRAPH Asia, 2017.
+/// Source: Schüssler et al. 2017.
 FacetLight schuessler_light(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& to_light);
 
 /// The light of a relief, seen from above, by method. Of one place, or of a tile as means over the area of its base.

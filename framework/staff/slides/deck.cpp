@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <regex>
+#include <set>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
@@ -10,6 +11,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/course/check/starter.h"
+#include "framework/course/pages/sources.h"
 #include "framework/course/pages/template.h"
 
 namespace relief::slides {
@@ -86,6 +88,7 @@ private:
                 block(hidden);
             else
                 deck_.text += with_figures(line()) + '\n';
+        deck_.text += sources_note(std::string_view(deck_.text).substr(before.size()));
         const bool more = at_ < lines_.size();
         ++at_;
         if (hidden && !solutions_) {
@@ -96,6 +99,17 @@ private:
         } else if (more) {
             deck_.text += "---\n";
         }
+    }
+
+    /// Returns a speaker's note with the entries that a slide cites; "" if it cites none.
+    std::string sources_note(std::string_view slide) const {
+        std::set<const pages::Source*> cited;
+        for (const pages::Citation& citation : pages::citations_in(slide, sources_))
+            if (citation.source) cited.insert(citation.source);
+        std::string note;
+        for (const pages::Source* source : cited)
+            note += "\n" + pages::source_text(*source) + (source->doi.empty() ? "" : ", doi:" + source->doi);
+        return note.empty() ? "" : "\n<!-- Sources" + note + "\n-->\n\n";
     }
 
     bool is_solution() const {
@@ -212,6 +226,7 @@ private:
     fs::path file_;
     std::string name_;
     bool solutions_;
+    std::vector<pages::Source> sources_ = pages::load_sources();
     size_t at_ = 0;
     Deck deck_;
 };

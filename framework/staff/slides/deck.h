@@ -42,7 +42,8 @@ struct Deck {
     std::vector<DeckFigure> figures;
 };
 
-/// Reads a deck. `name` is the folder of its pictures. Throws Error with the deck's file and line if a file, a region,
+/// Reads a deck. `name` is the folder of its pictures. The entries of the bibliography that a slide cites become
+/// speaker's notes. Throws Error with the deck's file and line if a file, a region,
 /// a lab or a mistake is missing. Also throws if a slide that is not hidden quotes a solution.
 Deck read_deck(const std::string& text, const std::filesystem::path& file, const std::string& name, bool solutions);
 

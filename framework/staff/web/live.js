@@ -63,10 +63,19 @@ const size_now = () => {
 };
 const request = () => ({...size_now(), camera, time: moment, probe: $("probe").value});
 
+// A compiler's other messages, which often follow from the first.
+const folded = messages => {
+  const box = make("details");
+  box.append(make("summary", {textContent: messages.length + " more message" + (messages.length > 1 ? "s" : "")}),
+             messages.join("\n"));
+  return box;
+};
+
 // Shows an error: where it is, and in the editor if it is in the task file.
 const complain = error => {
   $("problem").hidden = !error;
   $("problem").textContent = error ? error.message + (error.details ? "\n" + error.details : "") : "";
+  if (error?.further?.length) $("problem").append(folded(error.further));
   editor?.mark(error?.file === site.task ? error.line : 1, error?.file === site.task ? error.message : "");
 };
 
@@ -403,10 +412,13 @@ const make_checks = () => {
       make("h3", {}, `${task.id} ${task.title} `, make("span", {className: "points"})), make("p", {className: "hint", hidden: true}));
     if (own.some(is_here)) {
       for (const check of own) {
-        const row = make("button", {className: "row", type: "button"}, make("b", {textContent: "–"}), check.name,
+        const row = make(check.has_view ? "button" : "div", {className: "row"}, make("b", {textContent: "–"}), check.name,
                          make("small"));
-        row.setAttribute("aria-expanded", "false");
-        row.onclick = () => toggle_pictures(check.index);
+        if (check.has_view) {
+          row.type = "button";
+          row.setAttribute("aria-expanded", "false");
+          row.onclick = () => toggle_pictures(check.index);
+        }
         rows.set(check.index, row);
         box.append(row);
       }
@@ -471,12 +483,10 @@ const check = async () => {
     for (const task of advice.tasks) {
       const box = $("task-" + task.id), hint = box.querySelector(".hint");
       if (!site.not_here.includes(task.id)) box.querySelector(".points").textContent = task.said;
-      hint.hidden = !task.mistake;
-      hint.textContent = task.mistake;
+      hint.hidden = !task.hint;
+      hint.textContent = task.hint;
     }
-    const here = advice.tasks.filter(task => !site.not_here.includes(task.id));
-    const sum = here.reduce((all, task) => all + task.points, 0), most = here.reduce((all, task) => all + task.of, 0);
-    $("points").textContent = `${Number(sum.toFixed(2))} of ${most} points`;
+    $("points").textContent = advice.said;
     status(`checked in ${((performance.now() - began) / 1000).toFixed(1)} s`);
     window.checked = run;  // for tests
   } catch (error) {

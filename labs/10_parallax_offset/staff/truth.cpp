@@ -19,24 +19,20 @@ glm::dvec4 value_of(const std::string& probe, const ReliefSight& sight, const He
     return {sight.ray.texel + t * sight.ray.march, 0, 0};
 }
 
-std::vector<Image> exact_values(const std::vector<Frame>& frames, const Probe& probe, const ReliefSurface& surface) {
+std::function<Image(const Frame&)> exact_values(const Probe& probe, const ReliefSurface& surface) {
     if (probe.name == "steps") return {};
-    const ReliefSights sights(surface.mesh());
-    const HeightField heights(surface.heights(), true);
-    const ReliefMapping mapping = surface.mapping();
-    std::vector<Image> images;
-    for (const Frame& frame : frames) {
+    return [name = probe.name, sights = ReliefSights(surface.mesh()), heights = HeightField(surface.heights(), true),
+            mapping = surface.mapping()](const Frame& frame) {
         const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
-        images.push_back(truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
             const auto sight = sights.look(ray, mapping, near_plane(clip_from_world, ray));
             if (!sight) return {};
-            return value_of(probe.name, *sight, heights);
-        }));
-    }
-    return images;
+            return value_of(name, *sight, heights);
+        });
+    };
 }
 
-const decltype(truths)::Provided provided_truths(truths, exact_values);
+const decltype(truth)::Provided provided_truth(truth, exact_values);
 
 }  // namespace
 }  // namespace relief::offsets

@@ -80,26 +80,29 @@ void look(const Ball& ball, const Ray& ray, Seen& nearest) {
     if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, {}, {}, 0, true};
 }
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sight& sight) {
+std::function<Image(const Frame&)> exact_values(const Probe& probe, const Sight& sight) {
     const bool uv = probe.name == "uv", depth = probe.name == "depth", shadow = probe.name == "shadow";
     const bool way = probe.name == "ray", guess = probe.name == "guess";
     if (!uv && !depth && !shadow && !way && !guess) return {};
     std::vector<SeenObject> objects;
     for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
-    const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
-    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
-        Seen seen;
-        const double begin = near_plane(clip_from_world, ray);
-        for (const SeenObject& object : objects) object.look(ray, begin, sight.to_light, shadow, seen);
-        if (sight.ball) look(*sight.ball, ray, seen);
-        if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
-        if (way) return seen.ray;
-        if (guess) {
-            const glm::dvec2 place = glm::dvec2(seen.ray.z, seen.ray.w) / seen.texels, slope = 8.0 * place - 4.0;
-            return glm::dvec4(estevez_shadow({0, 0, 1}, glm::normalize(glm::dvec3(-slope, 1)), seen.light), 0, 0, 0);
-        }
-        return glm::dvec4(depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0), 0, 0);
-    });
+    return [=, objects = std::move(objects), to_light = sight.to_light, ball = sight.ball](const Frame& frame) {
+        const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
+        return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+            Seen seen;
+            const double begin = near_plane(clip_from_world, ray);
+            for (const SeenObject& object : objects) object.look(ray, begin, to_light, shadow, seen);
+            if (ball) look(*ball, ray, seen);
+            if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
+            if (way) return seen.ray;
+            if (guess) {
+                const glm::dvec2 place = glm::dvec2(seen.ray.z, seen.ray.w) / seen.texels, slope = 8.0 * place - 4.0;
+                return glm::dvec4(estevez_shadow({0, 0, 1}, glm::normalize(glm::dvec3(-slope, 1)), seen.light), 0, 0,
+                                  0);
+            }
+            return glm::dvec4(depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0), 0, 0);
+        });
+    };
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

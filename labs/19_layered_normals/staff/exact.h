@@ -32,10 +32,10 @@ glm::dmat3 plane_frame(int axis, double side);
 /// Returns the normal displaced by a small height along itself, with this gradient.
 glm::dvec3 bumped(const glm::dvec3& normal, const glm::dvec3& gradient);
 
-/// Returns the variance of slopes by the length of the mean normal (Toksvig 2004). Infinity for a length of 0.
+/// Returns the variance of slopes by the length of the mean normal (Toksvig 2005). Infinity for a length of 0.
 double lost_variance(const glm::dvec3& mean_normal);
-/// Returns the variance of slopes by the differences to two neighbouring pixels, at most 0.09 (Kaplanyan, Hill, Patney
-/// and Lefohn 2016; there it is the squared roughness, twice the variance, and at most 0.18).
+/// Returns the variance of slopes by the differences to two neighbouring pixels, at most 0.09 (Tokuyoshi and
+/// Kaplanyan 2019; there it is the squared roughness, twice the variance, and at most 0.18).
 double turning_variance(const glm::dvec3& across, const glm::dvec3& up);
 
 /// A map with four channels that repeats, with its mip levels.

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "framework/core/base/cancel.h"
+
 namespace relief {
 namespace {
 
@@ -42,6 +44,24 @@ TEST(Parallel, RethrowsAPiecesExceptionAfterTheOthersFinish) {
                                  }),
                  std::runtime_error);
     EXPECT_EQ(done, 4u);
+}
+
+TEST(Parallel, StartsNoItemAfterItsCallerWasCancelled) {
+    std::atomic<bool> cancelled = false;
+    std::atomic<size_t> begun = 0;
+    const auto work = [&](size_t i) {
+        ++begun;
+        if (i == 2) cancelled = true;
+    };
+    {
+        const CancelledBy cancel(cancelled);
+        EXPECT_THROW(parallel_each(1000, 1, work), Cancelled);
+        EXPECT_EQ(begun, 3u);
+        EXPECT_THROW(parallel_each(1000, 4, work), Cancelled);
+        EXPECT_EQ(begun, 3u) << "its helpers are cancelled, too";
+    }
+    parallel_each(1000, 4, work);
+    EXPECT_EQ(begun, 1003u) << "nothing cancels this thread any more";
 }
 
 TEST(Parallel, RunsEachItemOnceForAnyNumberOfThreads) {

@@ -44,7 +44,8 @@ ProgramName link(const std::string& text, const std::vector<Place>& lines) {
         std::string log(4096, '\0');
         GLsizei length = 0;
         glGetShaderInfoLog(shader, GLsizei(log.size()), &length, log.data());
-        throw Error(explain_log(log.substr(0, size_t(length)), lines).text);
+        const ShaderLog said = explain_log(log.substr(0, size_t(length)), lines, text);
+        throw Error(said.first, said.first_message + "\n" + said.text);
     }
     return program;
 }

@@ -99,8 +99,7 @@ TEST_F(Shaders, MapEveryLineBackToItsSourceLine) {
     ASSERT_EQ(lines.size(), source.lines.size() + 1);
     std::string places;
     for (size_t i = 1; i < lines.size(); ++i) {
-        // Like a compiler's error about this line of the text.
-        const Place place = explain_log("0:" + std::to_string(i) + "(5): error: x", source.lines).first;
+        const Place& place = source.lines[i - 1];
         if (place.file.empty()) {
             EXPECT_TRUE(lines[i].starts_with("#define ")) << lines[i];
             continue;
@@ -157,6 +156,29 @@ TEST_F(Shaders, AByteOrderMarkAndASpacedIncludeWork) {
     EXPECT_TRUE(contains(load("\xef\xbb\xbf#version 410 core\n#  include \"a.glsl\"\n").text, "float a;"));
 }
 
+TEST_F(Shaders, MayEndLinesInCrAlone) {
+    folder_.write("a.glsl", "// a comment\rfloat a;\r");
+    const ShaderSource source = load("#version 410 core\r#include \"a.glsl\"\rfloat b;\r");
+    EXPECT_TRUE(contains(source.text, "// a comment\nfloat a;\nfloat b;\n")) << source.text;
+    EXPECT_EQ(source.lines.back().line, 3);
+}
+
+TEST_F(Shaders, NameTheFileWhoseTextTheCompilerWouldBlameOnAnother) {
+    for (const auto& [text, line] : std::vector<std::pair<std::string, std::string>>{
+             {"float a;\n#if 1\n", ":2: this #if has no #endif"},
+             {"float a; // \\", ":1: the last line ends in a backslash"},
+             {"float a;\n/*\n", ":2: this comment is never closed"},
+             {"float a;\nfloat\xc2\xa0"
+              "b;\n",
+              ":2: column 6 is a no-break space"},
+             {std::string("\xff\xfe/\0/\0\n\0", 8), ": this is text in UTF-16"}}) {
+        folder_.write("a.glsl", text);
+        const std::string message =
+            message_of([&] { load("#version 410 core\n#if 1\n#include \"a.glsl\"\n#endif\n/* */\n"); });
+        EXPECT_TRUE(contains(message, "a.glsl" + line)) << message;
+    }
+}
+
 TEST_F(Shaders, FilesFromWindowsWork) {
     folder_.write("a.glsl", "float a;\r\n");
     const ShaderSource source =
@@ -175,77 +197,6 @@ TEST_F(Shaders, SurviveVeryLongNamesAndLines) {
     const std::string name = "u_" + std::string(1 << 20, 'x');
     EXPECT_EQ(load("#version 410 core\nuniform float " + name + ";\n").names.count(name), 1u);
     EXPECT_THROW(load("#version 410 core\n#include \"" + name + "\n"), Error);
-    EXPECT_EQ(explain_log("0:1(1): error: " + name, {{"a.frag", 3}}).first.line, 3);
-}
-
-/// A stage of ten lines whose fourth to sixth come from an include, with one #define.
-const std::vector<Place> ten_lines = {{"a.frag", 1},     {},
-                                      {"a.frag", 2},     {"light.glsl", 1},
-                                      {"light.glsl", 2}, {"light.glsl", 3},
-                                      {"a.frag", 4},     {"a.frag", 5},
-                                      {"a.frag", 6},     {"a.frag", 7}};
-
-TEST(ShaderLogs, AreParsedForMesaNvidiaAppleAndAmd) {
-    for (const char* line : {"0:5(12): error: 'x' undeclared", "0(5) : error C1008: 'x' undeclared",
-                             "ERROR: 0:5: 'x' undeclared", "0:5: error: 'x' undeclared"}) {
-        const ShaderLog log = explain_log(line, ten_lines);
-        EXPECT_EQ(log.first.file, "light.glsl") << line;
-        EXPECT_EQ(log.first.line, 2) << line;
-        EXPECT_TRUE(contains(log.first_message, "'x' undeclared")) << line;
-        EXPECT_EQ(log.text, "light.glsl:2: " + log.first_message + "\n") << line;
-    }
-}
-
-TEST(ShaderLogs, QuoteTheSourceLineOnceWithACaretBelowTheColumn) {
-    const std::string source = "1\n2\n3\n4\n\tx = y;\n6\n7\n8\n9\n10\n";
-    EXPECT_EQ(
-        explain_log("0:5(6): error: 'y' undeclared\n0:5(6): error: type mismatch\n0(6) : error: x\n", ten_lines, source)
-            .text,
-        "light.glsl:2: error: 'y' undeclared\n    \tx = y;\n    \t    ^\nlight.glsl:2: error: type mismatch\n"
-        "light.glsl:3: error: x\n    6\n");
-    for (const char* nowhere : {"0:5(99): error: x", "0:5(0): error: x"})
-        EXPECT_EQ(explain_log(nowhere, ten_lines, source).text, "light.glsl:2: error: x\n    \tx = y;\n") << nowhere;
-    EXPECT_EQ(explain_log("0:5(6): error: x", ten_lines, "1\n2\n3\n4\n    x  = y;\n").text,
-              "light.glsl:2: error: x\n        x  = y;\n             ^\n")
-        << "Mesa counts blanks that follow each other as one";
-    EXPECT_EQ(explain_log("0:11(1): error: x", ten_lines, source).text, "error: x\n");
-}
-
-TEST(ShaderLogs, TheFirstErrorIsNotAWarning) {
-    for (const char* warning :
-         {"0:3(1): warning: 'a' unused", "0(3) : warning C7050: 'a' unused", "WARNING: 0:3: 'a' unused"}) {
-        const ShaderLog log =
-            explain_log(std::string(warning) + "\nERROR: 0:4: no such type\nERROR: 0:9: more\n", ten_lines);
-        EXPECT_EQ(log.first.file, "light.glsl") << warning;
-        EXPECT_EQ(log.first.line, 1) << warning;
-        EXPECT_EQ(log.first_message, "no such type") << warning;
-        EXPECT_EQ(count(log.text, "\n"), 3) << "all lines are kept: " << log.text;
-        EXPECT_TRUE(log.text.starts_with("a.frag:2: ")) << log.text;
-    }
-}
-
-TEST(ShaderLogs, AHeadingDoesNotHideTheFirstPlace) {
-    const ShaderLog log = explain_log("Fragment info\n-------------\n0(5) : error C1008: x\n", ten_lines);
-    EXPECT_EQ(log.first.file, "light.glsl");
-    EXPECT_EQ(log.first_message, "error C1008: x");
-    EXPECT_EQ(log.text, "Fragment info\n-------------\nlight.glsl:2: error C1008: x\n");
-}
-
-TEST(ShaderLogs, LinesWithoutAKnownPlaceAreKept) {
-    const ShaderLog link = explain_log("error: no fragment output\r\n\n", {});
-    EXPECT_EQ(link.text, "error: no fragment output\n");
-    EXPECT_EQ(link.first_message, "error: no fragment output");
-    EXPECT_TRUE(link.first.file.empty());
-    for (const char* line :
-         {"0:0(0): error: x", "0:11(5): error: x", "0:99999999999(1): error: x", "0:2(1): error: x"}) {
-        const ShaderLog log = explain_log(line, ten_lines);
-        EXPECT_TRUE(contains(log.text, "error: x")) << line;
-        EXPECT_EQ(log.first_message, "error: x") << line;
-        EXPECT_TRUE(log.first.file.empty()) << line;
-    }
-    EXPECT_EQ(explain_log("", ten_lines).text, "");
-    EXPECT_EQ(explain_log(std::string("0:1(1): error: x\n\0", 18), ten_lines).text, "a.frag:1: error: x\n")
-        << "a driver's closing zero";
 }
 
 }  // namespace

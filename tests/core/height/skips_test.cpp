@@ -35,7 +35,7 @@ private:
     const Image& heights_;
 };
 
-Image noise(int width, int height) {
+Image random_heights(int width, int height) {
     std::mt19937 random(7);
     Image image(width, height, 1);
     for (float& value : image.values) value = float(random() % 1000) / 999.0f * (random() % 8 == 0 ? 1.0f : 0.3f);
@@ -43,8 +43,8 @@ Image noise(int width, int height) {
 }
 
 std::vector<Image> maps_with_peaks() {
-    return {make_height_map(HeightMap::stones, 64), make_height_map(HeightMap::posts, 64), noise(32, 16), noise(1, 1),
-            noise(2, 8)};
+    return {make_height_map(HeightMap::stones, 64), make_height_map(HeightMap::posts, 64), random_heights(32, 16),
+            random_heights(1, 1), random_heights(2, 8)};
 }
 
 /// Returns where the window of an octant begins for a block whose first cell is (x, y).

@@ -67,7 +67,7 @@ TEST(Error, IsTheDistanceOverAllChannelsOrTheFirstAlone) {
 }
 
 TEST(Error, IsExactForAnglesFromAMillionthOfADegreeTo180) {
-    // With acos of the dot product, angles below 0.02 degrees would be lost in float, and below 1e-6 in double.
+    // With acos of the dot product, angles below 0.014 degrees would be lost in float, and below 6e-7 in double.
     for (const double degrees : {0.0, 1e-6, 1e-5, 1e-3, 0.02, 1.0, 45.0, 90.0, 135.0, 179.0, 180.0}) {
         const double angle = degrees * M_PI / 180;
         // In a plane where the small component keeps all its digits: (1, 0, 0) against (cos, sin, 0).
@@ -77,6 +77,15 @@ TEST(Error, IsExactForAnglesFromAMillionthOfADegreeTo180) {
             << "neither the length nor a fourth channel counts";
     }
     EXPECT_FLOAT_EQ(error_of({1, 2, 3}, {-1, -2, -3}, ErrorMetric::angle), 180);
+}
+
+TEST(Error, OfAcosIs0Below0014DegreesAndThen002) {
+    // 1 - angle^2 / 2 rounds to 1 where angle^2 / 2 < 2^-25. The next float below 1 is 1 - 2^-24.
+    const auto by_acos = [](double degrees) {
+        return double(std::acos(float(std::cos(degrees * M_PI / 180)))) * 180 / M_PI;
+    };
+    EXPECT_EQ(by_acos(0.01398), 0);
+    EXPECT_NEAR(by_acos(0.014), 0.02, 0.0003);
 }
 
 TEST(Error, IsNanForAVectorWithoutDirection) {

@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 using Color = std::array<float, 3>;
 
 Color probe_color(const std::vector<float>& value, ProbeColors metric) {
@@ -39,11 +39,11 @@ double luminance(const Color& color) {
 TEST(Visualize, ANanIsMagentaInAnyChannel) {
     const Color magenta{1, 0, 1};
     for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute}) {
-        EXPECT_EQ(probe_color({nan, 0, 0}, metric), magenta);
-        EXPECT_EQ(probe_color({0, 0, nan, 0}, metric), magenta);
+        EXPECT_EQ(probe_color({not_a_number, 0, 0}, metric), magenta);
+        EXPECT_EQ(probe_color({0, 0, not_a_number, 0}, metric), magenta);
     }
-    EXPECT_EQ(probe_color({nan}, ErrorMetric::absolute), magenta);
-    EXPECT_EQ(error_color(nan, 1), magenta);
+    EXPECT_EQ(probe_color({not_a_number}, ErrorMetric::absolute), magenta);
+    EXPECT_EQ(error_color(not_a_number, 1), magenta);
 }
 
 TEST(Visualize, AMissingTaskIsMagentaAsInThePicture) {
@@ -61,7 +61,7 @@ TEST(Visualize, NoSurfaceIsDarkGrey) {
 }
 
 TEST(Visualize, APicturesValuesMayBeAnything) {
-    const std::vector<float> strange = {nan, INFINITY, -INFINITY, 1e38f, -1e38f, 1e-45f, 0.25f};
+    const std::vector<float> strange = {not_a_number, INFINITY, -INFINITY, 1e38f, -1e38f, 1e-45f, 0.25f};
     for (const float a : strange)
         for (const float b : strange) {
             Image image(1, 1, 3);

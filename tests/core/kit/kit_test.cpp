@@ -12,12 +12,8 @@
 #include "framework/core/kit/culling.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/light.h"
-#include "framework/core/kit/line_drawing.h"
 #include "framework/core/kit/numbers.h"
-#include "framework/core/kit/obj_textures.h"
-#include "framework/core/kit/ray_mesh.h"
 #include "framework/core/kit/relief_material.h"
-#include "framework/core/kit/slots.h"
 #include "framework/core/kit/uniforms.h"
 #include "framework/core/kit/window_triangle.h"
 #include "tests/support.h"
@@ -34,23 +30,6 @@ TEST(Choices, HoldNamesAndDefinitionsByValue) {
     EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
 }
 
-TEST(ObjTextures, AreOneForEachMapAndColorSpace) {
-    ObjTextures textures;
-    EXPECT_EQ(textures.texture("", ColorSpace::linear), nullptr);
-    const Texture* const linear = textures.texture("ivy_with_alpha.png", ColorSpace::linear);
-    EXPECT_EQ(textures.texture("ivy_with_alpha.png", ColorSpace::linear), linear);
-    EXPECT_NE(textures.texture("ivy_with_alpha.png", ColorSpace::srgb), linear);
-    ObjSurface surface;
-    EXPECT_EQ(textures.mask(surface), nullptr);
-    surface.mask = "ivy_with_alpha.png";
-    EXPECT_EQ(textures.mask(surface), linear);
-    const std::vector<float> by_first_channel = textures.scales(surface);
-    surface.mask_is_alpha = true;
-    EXPECT_NE(textures.mask(surface), linear) << "the fourth channel";
-    EXPECT_EQ(textures.scales(surface), mask_scales("ivy_with_alpha.png", true));
-    EXPECT_NE(textures.scales(surface), by_first_channel);
-}
-
 TEST(Choices, NamesOfATableWithOtherColumnsAreInItsOrder) {
     struct Format {
         const char* name;
@@ -60,44 +39,6 @@ TEST(Choices, NamesOfATableWithOtherColumnsAreInItsOrder) {
     static constexpr auto names = names_of(formats);
     EXPECT_STREQ(names[0], "half");
     EXPECT_STREQ(names[1], "float");
-}
-
-TEST(LineDrawing, FillsTheMiddleOfItsTileAndKeepsTheProportions) {
-    LineDrawing drawing;
-    const auto covered = [&](const std::vector<DrawnLine>& lines) {
-        const Image picture = draw_numbers({100, 50}, [&] { drawing.draw({{50, 0}, {50, 50}}, lines); });
-        glm::ivec2 low(100), high(-1);
-        for (int y = 0; y < 50; ++y)
-            for (int x = 0; x < 100; ++x)
-                if (picture.pixel(x, y)[0] == 0.25f) low = glm::min(low, {x, y}), high = glm::max(high, {x, y});
-        return std::pair(low, high);
-    };
-    const glm::vec3 color(0.25f, 1, 1);
-    // A square of 84 % of the tile's 50 pixels: from 4 to 46, with lines 20 times as wide as usual, 20 pixels.
-    const auto [low, high] = covered({{{-3, 5}, {7, 5}, color, 20}, {{-3, 15}, {7, 15}, color, 20}});
-    EXPECT_EQ(low, glm::ivec2(54, 0)) << "half of a line is above the square, and cut off";
-    EXPECT_EQ(high, glm::ivec2(95, 49));
-    EXPECT_EQ(covered({{{1, 1}, {1, 1}, color, 1}}).second, glm::ivec2(-1)) << "without length";
-    EXPECT_EQ(covered({}).second, glm::ivec2(-1));
-    EXPECT_FALSE(glIsEnabled(GL_DEPTH_TEST)) << "as before";
-}
-
-TEST(Slots, KeepTheirPlacesAsLongAsTheyAreWanted) {
-    Slots<std::string, int> slots;
-    slots.reset(3);
-    EXPECT_EQ(slots.keep({"b", "a"}), (std::vector<std::string>{"a", "b"}));
-    slots.at("b").value = 7;
-    EXPECT_EQ(slots.keep({"b", "c", "d"}), (std::vector<std::string>{"c", "d"}));
-    EXPECT_EQ(slots.at("b").place, 1);
-    EXPECT_EQ(slots.at("b").value, 7);
-    EXPECT_EQ(slots.at("c").place, 0) << "the place of a, which is free";
-    EXPECT_EQ(slots.at("d").place, 2);
-    EXPECT_EQ(slots.at("d").value, 0);
-    EXPECT_THROW(slots.at("a"), std::out_of_range);
-    slots.reset(9);
-    EXPECT_EQ(slots.capacity(), 9);
-    EXPECT_EQ(slots.keep({"b"}), std::vector<std::string>{"b"});
-    EXPECT_EQ(slots.at("b").place, 0);
 }
 
 TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
@@ -243,40 +184,6 @@ TEST(SetEach, SetsTheElementsOfAnArray) {
         triangle.draw();
     });
     EXPECT_EQ(drawn.values, std::vector<float>({2, 3, 4, 5}));
-}
-
-TEST(RayMesh, HasItsTreeCornersAndNormalsInItsTextures) {
-    const RayMesh mesh(make_sphere({.radius = 1, .sides = 40, .rows = 30}));  // textures of several rows
-    const auto texels = [](const Texture& texture) {
-        bind(0, texture);
-        GLint width = 0, height = 0;
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
-        EXPECT_EQ(width, 1024);
-        std::vector<glm::vec4> all(size_t(width) * size_t(height));
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, all.data());
-        return all;
-    };
-    const std::vector<glm::vec4> nodes = texels(mesh.nodes), corners = texels(mesh.corners),
-                                 normals = texels(mesh.normals);
-    size_t triangles = 0;
-    for (size_t i = 0; i < mesh.tree.nodes.size(); ++i) {
-        const TreeNode& node = mesh.tree.nodes[i];
-        ASSERT_EQ(nodes[2 * i], glm::vec4(node.low, float(node.skip)));
-        ASSERT_EQ(glm::vec3(nodes[2 * i + 1]), node.high);
-        const int content = int(nodes[2 * i + 1].w);
-        ASSERT_EQ(content % 8, int(node.count));
-        if (node.count > 0) {
-            ASSERT_EQ(content / 8, int(node.first));
-        }
-        triangles += size_t(node.count);
-    }
-    ASSERT_EQ(triangles * 3, mesh.mesh.indices.size());
-    for (size_t i = 0; i < triangles * 3; ++i) {
-        const size_t vertex = mesh.mesh.indices[mesh.tree.triangles[i / 3] * 3 + i % 3];
-        ASSERT_EQ(corners[i], glm::vec4(mesh.mesh.vertices[vertex].position, float(vertex)));
-        ASSERT_EQ(glm::vec3(normals[vertex]), mesh.mesh.vertices[vertex].normal);
-    }
 }
 
 TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {

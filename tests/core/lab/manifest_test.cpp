@@ -244,22 +244,34 @@ lines''' }]
     EXPECT_EQ(manifest.equivalents[0].edits.at(0).replace, "two\nlines");
 }
 
-TEST(Manifest, TheExamplesOfATaskAreOneHiddenCheck) {
-    const std::string example =
-        "[[example]]\ntask = \"1.1\"\nasks = \"never NaN\"\ncalls = [\"f(0.0)\", \"f(1.0)\"]\n"
-        "edits = [{ find = \"a\", replace = \"b\" }]\n";
-    const Manifest manifest = load(with_task, example + example);
-    ASSERT_EQ(manifest.examples.size(), 2u);
-    ASSERT_EQ(manifest.checks.size(), 1u);
+const std::string example = "[[example]]\ntask = \"1.1\"\nasks = \"never NaN\"\n",
+                  calls = "calls = [\"f(0.0)\", \"f(1.0)\"]\n",
+                  one_edit = "edits = [{ find = \"a\", replace = \"b\" }]\n";
+
+TEST(Manifest, TheExamplesOfATaskAreAPublicAndAHiddenCheck) {
+    const std::string other = "[[example]]\ntask = \"1.1\"\nasks = \"at most 1\"\ncalls = [\"f(3.0)\"]\n";
+    const Manifest manifest =
+        load(with_task + example + calls, example + "calls = [\"f(2.0)\"]\n" + one_edit + other + one_edit);
+    ASSERT_EQ(manifest.examples.size(), 3u);
+    EXPECT_FALSE(manifest.examples[0].hidden);
+    EXPECT_EQ(manifest.examples[0].edits.size(), 1u) << "the staff's file has those of the same words";
+    EXPECT_TRUE(manifest.examples[1].hidden && manifest.examples[2].hidden);
+    EXPECT_TRUE(manifest.examples[1].edits.empty()) << "they are the public example's";
+    EXPECT_EQ(manifest.examples[2].edits.size(), 1u);
+    ASSERT_EQ(manifest.checks.size(), 2u);
     const CheckInfo& check = manifest.checks[0];
-    EXPECT_TRUE(check.hidden);
+    EXPECT_FALSE(check.hidden);
     EXPECT_EQ(check.task, "1.1");
     EXPECT_EQ(check.against, "solution");
     EXPECT_EQ(check.shot.calls.file, "shaders/x/task.glsl");
-    EXPECT_EQ(check.shot.calls.texts, (std::vector<std::string>{"f(0.0)", "f(1.0)", "f(0.0)", "f(1.0)"}));
-    EXPECT_EQ(check.shot.size, glm::ivec2(4, 1)) << "one pixel a call";
+    EXPECT_EQ(check.shot.calls.texts, (std::vector<std::string>{"f(0.0)", "f(1.0)"}));
+    EXPECT_EQ(check.shot.size, glm::ivec2(2, 1)) << "one pixel a call";
     EXPECT_EQ(manifest.probe(check.shot.probe.name).name, calls_probe);
-    EXPECT_TRUE(load(with_task).checks.empty()) << "students do not get it";
+    EXPECT_TRUE(manifest.checks[1].hidden);
+    EXPECT_EQ(manifest.checks[1].name, "more words of task 1.1");
+    EXPECT_EQ(manifest.checks[1].shot.calls.texts, (std::vector<std::string>{"f(2.0)", "f(3.0)"}));
+    EXPECT_EQ(load(with_task + example + calls, example + one_edit).checks.size(), 1u) << "edits alone add no call";
+    EXPECT_EQ(load(with_task + example + calls).checks.size(), 1u) << "students get the public one";
     EXPECT_EQ(message_of<UsageError>([&] { manifest.view_of_check(check.name); }),
               "'the words of task 1.1' has no view: it calls functions of shaders/x/task.glsl");
 }
@@ -314,6 +326,9 @@ TEST(Manifest, AnInvalidCheckMistakeOrEquivalentIsReportedWithItsLine) {
         {task_2 + check + "against = \"solution\"\nneeds = [\"1.2\", \"1.2\"]\n",
          "lab.toml:17: 'needs' names task 1.2 twice"},
         {check + "against = \"solution\"\n" + mistake, "lab.toml:13: 'mistake' belongs in staff/grading.toml"},
+        {example, "lab.toml:10: an example has 'calls'"},
+        {example + calls + edits, "lab.toml:12: the 'edits' of an example belong in staff/grading.toml"},
+        {example + calls + example + calls, "lab.toml:14: two examples of task 1.1 ask for \"never NaN\""},
     };
     for (const auto& [text, message] : texts) {
         const std::string found = refusal(with_task + text);

@@ -24,6 +24,14 @@ TEST(FindLabs, AcceptsNumbersNamesAndRangesAndReturnsEachLabOnceInOrder) {
     EXPECT_EQ(numbers("3,bricks,2-3,03_bricks"), Numbers{3});
 }
 
+TEST(FindLab, MatchesTheBeginningsOfWordsOnly) {
+    EXPECT_EQ(find_lab("bri").number, 3);
+    EXPECT_EQ(find_lab("far").number, 10);
+    EXPECT_EQ(find_lab("exact_v").number, 12);
+    for (const char* text : {"ricks", "ar", "act_view", "_view"})
+        EXPECT_TRUE(contains(message_of<UsageError>([&] { find_lab(text); }), "unknown lab")) << text;
+}
+
 TEST(FindLab, ReportsATaskNumberAsNoLab) {
     EXPECT_EQ(message_of<UsageError>([] { find_lab("10.2"); }), "'10.2' is a task of lab 10: say 10");
     for (const char* text : {"11.1", "10.", ".1", "10.x", "1.2.3"})

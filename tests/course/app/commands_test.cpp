@@ -10,6 +10,8 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/course/check/starter.h"
+#include "framework/staff/grade/submission.h"
 #include "tests/browser.h"
 #include "tests/course/app/course_copy.h"
 
@@ -409,17 +411,17 @@ TEST_F(CourseTest, AProbeReportsAnUnwrittenTaskAndOtherChecksStillRun) {
 TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     const Result right = course().relief({"check", "2"});
     EXPECT_EQ(right.code, 0) << right.out << right.err;
-    EXPECT_TRUE(contains(right.out, "13 of 13 points")) << right.out;
+    EXPECT_TRUE(contains(right.out, " to 13 of 13 points")) << right.out;
     const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
     const Result wrong = course().relief({"check", "storage"});
     EXPECT_EQ(wrong.code, 1);
     for (const char* part :
-         {"2.1  Store a normal in three bytes: 1 of 3 points (shaders/02_normal_map_storage/task.glsl)",
+         {"2.1  Store a normal in three bytes: 0.75 to 1.5 of 3 points (shaders/02_normal_map_storage/task.glsl)",
           "wrong       three bytes and back: mean ", "(at most 0.26)", "why this limit: rounding to 8 bits costs",
-          "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
+          "look at: a usual cause lies here: decode_unorm8 undoes f: 0 becomes -1 and 255 becomes 1. Yours is "})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
-    EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    EXPECT_EQ(count(wrong.out, "a usual cause lies here: decode_unorm8"), 1) << "a hint is said once: " << wrong.out;
     // The pixel reported as the worst must be wrong.
     const std::string begin = "the worst pixel: ./relief explain 02 --check 'three bytes and back' --pixel ";
     const size_t at = wrong.out.find(begin);
@@ -437,20 +439,80 @@ TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     course().edit(manifest, "decode_unorm8 undoes f", "`decode_unorm8` undoes f");
     course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
     const Result unknown = course().relief({"check", "storage"});
-    EXPECT_TRUE(contains(unknown.out, "look at: decode_unorm8 undoes f"))
+    EXPECT_TRUE(contains(unknown.out, "look at: a usual cause lies here: decode_unorm8 undoes f"))
         << "no mistake that is known, and no backticks: " << unknown.out;
     course().edit(manifest, "`decode_unorm8` undoes f", "decode_unorm8 undoes f");
     course().edit(file, "code / 254.0 * 2.0 - 1.0", "code / 255.0");
     course().edit(file, "code / 255.0", "cde / 255.0");
     const Result broken = course().relief({"check", "2"});
     EXPECT_EQ(broken.code, 1);
-    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde") &&
-                count(broken.out, "a missing ; stands at the end of the line before") == 1 &&
-                contains(broken.out, "cde / 255.0") && contains(broken.out, "^\n"))
+    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") &&
+                contains(broken.out, "error: `cde' undeclared: did you mean `code'?") &&
+                contains(broken.out, "cde / 255.0") && contains(broken.out, "^\n") &&
+                count(broken.out, "(--verbose shows them)") == 1 && !contains(broken.out, "a missing ;"))
         << broken.out;
+    EXPECT_TRUE(
+        contains(course().relief({"check", "2", "--verbose"}).out, "operands to arithmetic operators must be numeric"))
+        << "all messages";
     course().overwrite(file, "");
     EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
     course().overwrite(file, before);
+}
+
+TEST_F(CourseTest, ACheckAgainstTheSolutionIsUnprovenWithoutAReference) {
+    const std::string file = "shaders/01_specular_highlights/task.glsl", before = read_all(course().path() / file);
+    const auto outcome = [](const Result& result) {
+        const auto report = nlohmann::json::parse(result.out);
+        for (const auto& task : report.at("tasks"))
+            for (const auto& check : task.at("checks"))
+                if (check.at("name") == "the highlight on the bricks") return check.at("outcome").get<std::string>();
+        return std::string("missing");
+    };
+    const Result own = course().relief({"check", "1"});
+    EXPECT_EQ(own.code, 0) << own.out;
+    EXPECT_TRUE(contains(own.out, "unproven    the highlight on the bricks: nothing to compare with")) << own.out;
+    EXPECT_TRUE(contains(own.out, " to 5 of 5 points")) << own.out;
+    const fs::path reference =
+        course().path() / "labs/01_specular_highlights/expected" / "the-highlight-on-the-bricks.png";
+    fs::create_directories(reference.parent_path());
+    ASSERT_EQ(course().relief({"shot", "1", "--check", "the highlight on the bricks", "-o", reference.string()}).code,
+              0);
+    EXPECT_EQ(outcome(course().relief({"check", "1", "--json"})), "passed");
+    course().edit(file, "direction.x * tangent", "direction.y * tangent");
+    EXPECT_EQ(outcome(course().relief({"check", "1", "--json"})), "wrong");
+    fs::remove_all(reference.parent_path());
+    EXPECT_EQ(outcome(course().relief({"check", "1", "--json"})), "unproven");
+    course().overwrite(file, before);
+}
+
+TEST_F(CourseTest, AFaultOfATaskFileNamesThatFileAndItsPlace) {
+    const std::string file = "shaders/10_parallax_offset/task.glsl";
+    const Restore task(course(), file.c_str());
+    const std::string text = read_all(course().path() / file);
+    const auto replaced = [&](const std::string& find, const std::string& by) {
+        std::string other = text;
+        for (size_t at = 0; (at = other.find(find, at)) != std::string::npos; at += by.size())
+            other.replace(at, find.size(), by);
+        return other;
+    };
+    course().overwrite(file, replaced("\n", "\r"));
+    const Result cr = course().relief({"check", "10"});
+    EXPECT_EQ(cr.code, 0) << cr.out;
+    std::string wide = "\xff\xfe";
+    for (const char c : text) (wide += c) += '\0';
+    for (const auto& [damaged, said] : std::vector<std::pair<std::string, std::string>>{
+             {wide, ": this is text in UTF-16: save it as UTF-8"},
+             {text + "// the end \\", ": the last line ends in a backslash"},
+             {replaced("return ", "return\xc2\xa0"), "is a no-break space (U+00A0): write a blank instead"},
+             {text + "#if 0\n", ": this #if has no #endif in this file"},
+             {text + "float f() {\n    return 1.0;\n", "error: this { is never closed"},
+             {text + "const float last = 1.0\n", "is a ; missing here?"}}) {
+        course().overwrite(file, damaged);
+        const std::string out = course().relief({"check", "10"}).out;
+        EXPECT_TRUE(contains(out, said)) << out;
+        EXPECT_TRUE(contains(out, file + ":")) << out;
+        EXPECT_FALSE(contains(out, "surface.") || contains(out, "common/")) << "another file is blamed: " << out;
+    }
 }
 
 /// Returns the text between two words after `from`, and moves `from` past it; "" and npos if there is none.
@@ -488,13 +550,14 @@ TEST_F(CourseTest, TheCheckPageIsSelfContained) {
     for (const CheckInfo& check : load_manifest(course().path() / manifest).checks) {
         if (check.hidden && check.against == "solution") continue;  // only the grader draws the solution
         EXPECT_TRUE(contains(check.name, "<") || contains(page, "<h3>" + check.name + "</h3>")) << check.name;
-        ++checks;
+        checks += !check.shot.calls;  // calls have no picture
     }
     const std::string escaped = "&#39;a&#39; &lt;/script&gt; &amp; &quot;b&quot;";
     EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
     EXPECT_FALSE(contains(page, "'a' <"));
-    for (const char* part : {"11 of 13 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
-                             "degrees and more", "./relief shot 02 --check &#39;paired bytes&#39; -o mine.png"})
+    for (const char* part :
+         {"6.75 of 13 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
+          "degrees and more", "./relief shot 02 --check &#39;paired bytes&#39; -o mine.png"})
         EXPECT_TRUE(contains(page, part)) << part;
     for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})
         EXPECT_FALSE(contains(page, outside)) << outside;
@@ -522,7 +585,8 @@ TEST_F(CourseTest, TheCheckPageHasAWipeForEachPicture) {
     browser.open(course().path() / "wiped.html");
     const Manifest manifest = load_manifest(course().path() / "labs/02_normal_map_storage/lab.toml");
     const auto checks = std::ranges::count_if(manifest.checks, [](const CheckInfo& check) {
-        return !check.hidden || check.against != "solution";  // only the grader draws the solution
+        // Only the grader draws the solution for hidden checks, and calls have no picture.
+        return (!check.hidden || check.against != "solution") && !check.shot.calls;
     });
     EXPECT_EQ(browser.eval("document.querySelectorAll('.laid').length"), checks);
     EXPECT_EQ(browser.eval("document.querySelectorAll('.wipe').length"), checks);
@@ -554,7 +618,9 @@ TEST_F(CourseTest, TheCheckPageShowsTheExpectedPictureOrTheCompilerMessage) {
     course().edit(file, "unfinished(code)", "<cde>");
     EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
     const std::string broken = read_all(course().path() / "broken.html");
-    EXPECT_EQ(count(broken, "a missing ; stands at the end of the line before"), 1) << "in the task with the line only";
+    EXPECT_EQ(count(broken, "<div class=\"compiler\" role=\"alert\">"), 1) << "once, before all tasks";
+    EXPECT_LT(broken.find("role=\"alert\""), broken.find("<section"));
+    EXPECT_TRUE(contains(broken, "&lt;cde&gt;") && contains(broken, "^\n</pre>")) << "with its source line";
     EXPECT_TRUE(contains(broken, "waits for task 2.1"));
     EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
 }
@@ -633,10 +699,94 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
     EXPECT_TRUE(contains(result.err, "did you mean")) << result.err;
 }
 
+TEST_F(CourseTest, HelpVersionAndALabsNumberNeedNoOtherWord) {
+    const auto out = [&](const std::vector<std::string>& words) { return course().relief(words).out; };
+    EXPECT_EQ(out({"help"}), out({"--help"}));
+    EXPECT_EQ(out({"help", "shot"}), out({"shot", "--help"}));
+    EXPECT_TRUE(out({"-v"}).starts_with("relief "));
+    EXPECT_EQ(out({"-v"}), out({"--version"}));
+    EXPECT_EQ(out({"03", "--help"}), out({"run", "03", "--help"}));
+    EXPECT_EQ(course().relief({"99"}).err, course().relief({"run", "99"}).err);
+}
+
+TEST_F(CourseTest, CheckTakesNoPartOfAWord) {
+    const Result result = course().relief({"check", "all"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "unknown lab 'all'")) << result.err;
+}
+
+TEST_F(CourseTest, HandInPacksWhatIsWrittenAndSaysWhatIsNot) {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const fs::path archive = folder.path() / "hand-in.zip";
+    const auto hand_in = [&](std::vector<std::string> more = {}) {
+        more.insert(more.begin(), "hand-in");
+        more.insert(more.end(), {"-o", archive.string()});
+        return course().relief(more);
+    };
+    const auto packed = [&] {
+        const Result listed = run({"python3", "-c",
+                                   "import sys, zipfile\nz = zipfile.ZipFile(sys.argv[1])\n"
+                                   "assert z.testzip() is None\nprint(*z.namelist())",
+                                   archive.string()});
+        EXPECT_EQ(listed.code, 0) << listed.err;
+        return listed.out;
+    };
+    const char *first = "shaders/01_specular_highlights/task.glsl", *second = "shaders/03_height_to_normal/task.glsl",
+               *cpp = "labs/05_tangent_basis/task.cpp", *beside = "shaders/05_tangent_basis/task.glsl";
+    const Restore keep_first(course(), first), keep_second(course(), second), keep_cpp(course(), cpp);
+    const auto starter = [](const char* file) {
+        return check::starter_of(read_all(fs::path(source_folder) / file), file);
+    };
+
+    const Result written = hand_in({"1,5"});
+    EXPECT_EQ(written.code, 0) << written.err;
+    EXPECT_TRUE(contains(written.out, "lab 01  tasks 1.1, 1.2 written\n")) << written.out;
+    EXPECT_TRUE(contains(written.out, archive.string() + ": 3 task files. Hand in this file")) << written.out;
+    EXPECT_EQ(packed(), std::string(cpp) + " " + first + " " + beside + "\n");
+    EXPECT_EQ(grade::read_submission(archive, {first, cpp}).files,
+              (std::map<std::string, std::string>{{first, read_all(course().path() / first)},
+                                                  {cpp, read_all(course().path() / cpp)}}))
+        << "the grader reads it";
+
+    // Labs without a written task are left out, and an earlier archive is replaced with a word.
+    course().overwrite(first, starter(first));
+    course().overwrite(cpp, starter(cpp));
+    const Result half = hand_in({"1-3,5"});
+    EXPECT_EQ(half.code, 0) << half.err;
+    EXPECT_TRUE(contains(half.out, "lab 05  task 5.4 written; not written: tasks 5.1, 5.2, 5.3\n")) << half.out;
+    EXPECT_TRUE(contains(half.out, "nothing written, so not packed: lab 01\n")) << half.out;
+    EXPECT_TRUE(contains(half.out, ", which replaces the earlier one: ")) << half.out;
+    EXPECT_FALSE(contains(packed(), first));
+
+    // Faults that can be found without a compiler: damaged text, a wrong name, a missing file.
+    course().overwrite(second, read_all(course().path() / second) + "#if 1\n");
+    course().overwrite("shaders/03_height_to_normal/task (1).glsl", "newer");
+    fs::remove(course().path() / cpp);
+    const Result faulty = hand_in({"3,5"});
+    fs::remove(course().path() / "shaders/03_height_to_normal/task (1).glsl");
+    EXPECT_EQ(faulty.code, 1);
+    EXPECT_TRUE(contains(faulty.out, second + std::string(": line "))) << faulty.out;
+    EXPECT_TRUE(contains(faulty.out, "shaders/03_height_to_normal/task (1).glsl: not packed: only task.glsl counts"))
+        << faulty.out;
+    EXPECT_TRUE(contains(faulty.out, cpp + std::string(": missing"))) << faulty.out;
+    EXPECT_EQ(packed(), second + std::string(" ") + beside + "\n") << "packed all the same";
+
+    const std::string before = read_all(archive);
+    const Result nothing = hand_in({"1"});
+    EXPECT_EQ(nothing.code, 1);
+    EXPECT_EQ(nothing.err, "relief: no task is written: there is nothing to hand in\n");
+    EXPECT_EQ(read_all(archive), before) << "the earlier archive stays";
+    const Result named = course().relief({"hand-in", "1", "-o", "task.glsl"});
+    EXPECT_EQ(named.code, 2);
+    EXPECT_TRUE(contains(named.err, "-o takes the name of a zip file, like hand-in.zip, not 'task.glsl'")) << named.err;
+    EXPECT_TRUE(contains(course().relief({"hand-in", "77"}).err, "unknown lab '77'"));
+}
+
 TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
     for (const char* command :
-         {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench", "handout", "grade", "web",
-          "slides", "mistakes", "inspect", "synctest", "map", "explain", "questions"}) {
+         {"list",    "info",  "run", "shot",   "gallery",  "check",   "golden",   "hand-in", "new-lab", "bench",
+          "handout", "grade", "web", "slides", "mistakes", "inspect", "synctest", "map",     "explain", "questions"}) {
         const Result result = course().relief({command, "--help"});
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;

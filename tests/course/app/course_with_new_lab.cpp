@@ -9,7 +9,8 @@ const CourseWithNewLab& CourseWithNewLab::get() {
 
 CourseWithNewLab::CourseWithNewLab() : made(course.relief({"new-lab", "test_wall"})) {
     for (const std::string& lab : files_in(course.path() / "labs"))
-        if (lab != "01_specular_highlights" && lab != "20_test_wall")
+        if (lab != "01_specular_highlights" && lab != "20_test_wall" &&
+            std::filesystem::is_directory(course.path() / "labs" / lab))
             std::filesystem::remove_all(course.path() / "labs" / lab);
     const std::string build = course.path() / "build";
     const std::vector<std::string> commands[] = {

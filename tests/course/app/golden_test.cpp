@@ -154,6 +154,8 @@ TEST_F(Golden, AnotherMesaVersionMayDifferInAFewPixelsTheSameOneInNone) {
     const std::string newer = std::regex_replace(here, std::regex("Mesa [0-9.]+"), "Mesa 98.0.1");
     EXPECT_EQ(with(newer, 384, 4).code, 0) << "a row of its own";
     EXPECT_EQ(with(newer, 385, 4).code, 1);
+    course_.overwrite(allowed, "Mesa 0\nothers 0.01 0.01\nVulkan\nothers 1 1\n");
+    EXPECT_EQ(with(other, 2, 2).code, 1) << "what is allowed through Vulkan holds only there";
     course_.overwrite(allowed, "Mesa 0\nothers 0.01 0.01\n");
     EXPECT_EQ(with(other, 1, 40).code, 0);
     EXPECT_EQ(with(other, 2, 2).code, 1);

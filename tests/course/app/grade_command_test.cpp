@@ -198,7 +198,7 @@ TEST(Merge, ReadsEachResultOnce) {
             mark.name = "s" + std::to_string(i), mark.hash = "h", mark.course = "c", mark.isolation = "namespaces";
             mark.problem = std::string(10000, 'x');
             write_file(grade::result_file(folder.path(), mark.name), grade::to_json(mark));
-            roster.submissions.push_back({mark.name, "h", "/"});
+            roster.submissions.push_back({.name = mark.name, .hash = "h", .parts = {{.path = "/"}}});
         }
         grade::write_roster(folder.path(), roster);
         const double before = *bytes_read();

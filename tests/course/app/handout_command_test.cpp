@@ -29,7 +29,7 @@ TEST(HandoutCommand, RefusesALabWhoseOwnSolutionDoesNotPass) {
         EXPECT_TRUE(contains(refused.err, said)) << refused.err;
         EXPECT_FALSE(fs::exists(students));
     }
-    EXPECT_EQ(hand_out("2").code, 0) << "the others can be";
+    EXPECT_EQ(hand_out("3").code, 0) << "the others can be";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// relief map from the command line: maps as files, and what `relief inspect` says of them.
+// relief map from the command line: maps as files, and the findings of `relief inspect`.
 #include <fmt/format.h>
 
 #include <chrono>

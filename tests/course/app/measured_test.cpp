@@ -5,7 +5,7 @@
 //     2.2 11 7.9 48  mean largest  --set normal_by=matrix --set bend={30|90}
 //     2.1 11 6.1 48  mean largest  --set normal_by=inverse-transpose --set bend={30|90}
 //     13 0.5 0.02  wrong %  bench parallax map=bricks angle=15-65 {usual|linear steps=32|linear steps=64}
-//     0.170 0.387  test NormalFormat.HasTheErrorPublishedByCigolleEtAl
+//     0.170 0.386  test NormalFormat.HasTheErrorPublishedByCigolleEtAl
 //     ```
 //
 // Each line has three parts. First come the numbers as written in the text. Then come the names of the error's figures,

@@ -24,6 +24,7 @@ protected:
         fs::create_directories(folder_.path() / "framework/cmake");
         fs::create_directories(folder_.path() / "tests");
         fs::copy(source / "relief", folder_.path());
+        copy_commands("course");
         for (const char* system : {"", "_fedora", "_arch", "_opensuse", "_brew", "_msys2"})
             fs::copy(source / ("framework/cmake/packages" + std::string(system) + ".txt"),
                      folder_.path() / "framework/cmake");
@@ -40,6 +41,13 @@ protected:
         stand_in("sudo", "exit 1");
         stand_in("id", "echo 0");
         installed("");
+    }
+    /// Copies the sources from which the script takes the commands of a half, "course" or "staff".
+    void copy_commands(const std::string& half) const {
+        const std::string folder = "framework/" + half + "/app";
+        std::filesystem::create_directories(folder_.path() / folder);
+        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(source_folder) / folder))
+            std::filesystem::copy(entry.path(), folder_.path() / folder);
     }
     /// Creates a tool that appends its arguments to `calls`, then runs `body`.
     void stand_in(const std::string& name, const std::string& body) const {
@@ -109,29 +117,53 @@ TEST_F(Script, WithoutATerminalPrintsALinePerStepAndNothingWhenUpToDate) {
 
 TEST_F(Script, HelpAndUsageErrorsNeitherInstallNorBuild) {
     installed("libglm-dev");
-    for (const std::vector<std::string>& question :
-         {std::vector<std::string>{"--help"}, {"-h"}, {"shot", "--help"}, {"test", "--help"}, {"build", "-h"}}) {
+    for (const std::vector<std::string>& question : {std::vector<std::string>{"--help"},
+                                                     {"-h"},
+                                                     {"help"},
+                                                     {"help", "shot"},
+                                                     {"shot", "--help"},
+                                                     {"test", "--help"},
+                                                     {"build", "-h"}}) {
         const Result result = script(question);
         EXPECT_EQ(result.code, 0) << question[0];
         EXPECT_TRUE(contains(result.out, "./relief test --all") && contains(result.out, "\n  shot ")) << result.out;
     }
-    for (const auto& [word, meant] : std::map<std::string, std::string>{
-             {"shoot", "shot"}, {"lsit", "list"}, {"gold", "golden"}, {"tets", "test"}, {"buidl", "build"}}) {
-        const Result result = script({word});
-        EXPECT_EQ(result.code, 2);
-        EXPECT_TRUE(result.err.starts_with("relief: unknown command '" + word + "': did you mean '" + meant +
-                                           "'? There are: list, info, "))
-            << result.err;
-    }
-    EXPECT_TRUE(script({"xylophone"}).err.starts_with("relief: unknown command 'xylophone'; there are: list, "));
-    EXPECT_EQ(script({"sh.t"}).code, 2) << "a word, no pattern";
+    const Result unknown = script({"sh.t"});
+    EXPECT_EQ(unknown.code, 2) << "a word, no pattern";
+    EXPECT_TRUE(unknown.err.starts_with("relief: unknown command 'sh.t'; there are: list, info, ")) << unknown.err;
+    EXPECT_TRUE(unknown.err.ends_with(", build, test, site\n")) << unknown.err;
     EXPECT_EQ(script({"build", "01"}).err, "relief: build takes nothing else: '01'\n");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, PrintsTheVersionWithoutABuild) {
+    folder_.write("CMakeLists.txt",
+                  "cmake_minimum_required(VERSION 3.25)\nproject(relief VERSION 1.2.3 LANGUAGES C)\n");
+    for (const char* option : {"-v", "--version"}) EXPECT_EQ(script({option}).out, "relief 1.2.3 (not built)\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+    script({"list"});
+    for (const char* option : {"-v", "--version"}) EXPECT_EQ(script({option}).out, "ran: --version\n");
+}
+
+TEST_F(Script, ANumberRunsThatLab) {
+    EXPECT_EQ(script({"3x"}).code, 2);
+    EXPECT_EQ(script({"03", "--set", "a=b"}).out, "ran: run 03 --set a=b\n");
+}
+
+TEST_F(Script, ABuiltProgramNamesTheNearestCommandOfTheScriptToo) {
+    script();
+    calls();
+    EXPECT_EQ(script({"tets"}).out, "ran: tets\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+    const Result guessed = run({relief_program(), "tets"}, {"/", {{"RELIEF_SCRIPT_COMMANDS", "build test site"}}});
+    EXPECT_EQ(guessed.code, 2);
+    EXPECT_TRUE(contains(guessed.err, "unknown command 'tets': did you mean 'test'?")) << guessed.err;
 }
 
 TEST_F(Script, ForwardsHelpToABuiltProgramAndRebuildsItForLabKnobs) {
     script();
     calls();
+    EXPECT_EQ(script({"help", "shot"}).out, "ran: shot --help\n");
     EXPECT_EQ(script({"shot", "--help"}).out, "ran: shot --help\n");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
     EXPECT_EQ(script({"shot", "01", "--help"}).out, "ran: shot 01 --help\n");
@@ -163,7 +195,7 @@ TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
         for (const std::string& one : program)
             if (one.starts_with(std::string(staff) + ":")) students.insert(one);
     EXPECT_EQ(students, program);
-    folder_.write("framework/staff/staff.cmake", "");
+    copy_commands("staff");
     EXPECT_EQ(commands_in(script({"--help"}).out, "Commands:"), program);
 }
 
@@ -222,6 +254,17 @@ TEST_F(Script, RunsABuiltProgramInAReadOnlyCourse) {
     }
     fs::permissions(build, fs::perms::owner_write, fs::perm_options::add);
     EXPECT_FALSE(fs::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, HandInPacksATaskThatDoesNotCompile) {
+    EXPECT_EQ(script({"hand-in", "3"}).out, "ran: hand-in 3\n");
+    stand_in("ninja", "echo 'FAILED: a.o'; echo \"labs/05_x/task.cpp:3:1: error: expected ';'\"; exit 1");
+    const Result packed = script({"hand-in", "3"});
+    EXPECT_EQ(packed.code, 1);
+    EXPECT_EQ(packed.out, "ran: hand-in 3\n") << "by the program of the last build";
+    EXPECT_TRUE(contains(packed.err, "labs/05_x/task.cpp:3:1: error: ")) << packed.err;
+    EXPECT_TRUE(contains(packed.err, "relief: it is packed all the same:\n")) << packed.err;
+    EXPECT_EQ(script({"list"}).out, "") << "no other command runs an old program";
 }
 
 TEST_F(Script, WithoutATerminalABuildSaysHowFarItIs) {
@@ -489,7 +532,7 @@ TEST_F(OtherSystem, InMsys2InstallsItsPackagesAsTheUserAndOpensTheMenu) {
 
 TEST_F(OtherSystem, TheStaffsCommandsAndTheTestsNeedLinux) {
     system_ = {{"OSTYPE", "darwin23"}};
-    std::filesystem::create_directories(folder_.path() / "framework/staff");
+    copy_commands("staff");
     EXPECT_EQ(script({"grade", "x"}).err, "relief: 'grade' is a command for staff only: it needs Linux\n");
     EXPECT_EQ(script({"test"}).err, "relief: the tests need Linux: ./relief check LAB looks at your work\n");
     stand_in("brew", "");
@@ -533,7 +576,7 @@ TEST_F(Script, InstallsAndBuildsWhatTheCommandNeeds) {
         const size_t begin = called.find("ninja -C " + build) + 10 + build.size();
         return found + called.substr(begin, called.find('\n', begin) - begin);
     };
-    std::filesystem::create_directories(folder_.path() / "framework/staff");
+    copy_commands("staff");
     EXPECT_EQ(packages_and_targets({"shot", "01", "--set", "map=a.png"}), "libglm course");
     EXPECT_EQ(packages_and_targets({}), "libglm relief relief_converted_textures") << "there is no display";
     EXPECT_EQ(packages_and_targets({"inspect", "a photo.JPG"}), "libglm libopenimageio course");
@@ -568,21 +611,52 @@ TEST_F(Script, AFailedStepShowsItsLogAndStops) {
     EXPECT_EQ(result.out, "");
 }
 
-TEST_F(Script, AFailedBuildShowsCompilerMessagesWithoutCommandLines) {
-    const std::string task = (folder_.path() / "labs/05_x/task.cpp").string();
-    stand_in("ninja",
-             "echo '[1/3] Building CXX object task.o'; echo 'FAILED: task.o'; echo '/usr/bin/c++ -c " + task +
-                 "'; echo '" + task +
-                 ":3:5: error: no'; echo '    3 | x'; echo '../labs/a.h:1:1: error: b'; echo 'ninja: build stopped: "
-                 "subcommand failed.'; exit 1");
+TEST_F(Script, AFailedBuildShowsTheFirstCompilerErrorAndWhereTheOthersAre) {
+    const std::string task_file = (folder_.path() / "labs/05_x/task.cpp").string();
+    folder_.write("messages.txt", "[1/3] Building CXX object task.o\nFAILED: task.o\n/usr/bin/c++ -c " + task_file +
+                                      "\n" + task_file + ":1:1: warning: w\n" + task_file +
+                                      ": In function 'int f()':\n" + task_file +
+                                      ":3:5: error: no\n    3 | x\n      | ^\n" + task_file +
+                                      ":9:1: note: candidate: 'int g()'\n    9 | int g();\n" + task_file +
+                                      ":2:1: note: it is declared here\n" + "../labs/a.h:1:1: error: b\n    1 | b\n" +
+                                      task_file + ":7:1: error: c\nninja: build stopped: subcommand failed.\n");
+    stand_in("ninja", "cat '" + (folder_.path() / "messages.txt").string() + "'; exit 1");
     const Result result = script({"check", "5"});
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(contains(result.err,
-                         "\nlabs/05_x/task.cpp:3:5: error: no\n    3 | x\nlabs/a.h:1:1: error: b\n"
-                         "relief: begin with the first error: others may follow from it\n"
+                         "\nlabs/05_x/task.cpp: In function 'int f()':\nlabs/05_x/task.cpp:3:5: error: no\n    3 | x\n"
+                         "      | ^\nlabs/05_x/task.cpp:2:1: note: it is declared here\n"
+                         "relief: and 2 more errors, which may follow from the first: see build/errors.txt\n"
                          "relief: failed: building\n"))
         << result.err;
-    for (const char* no : {"c++ -c", "FAILED", "stopped"}) EXPECT_FALSE(contains(result.err, no)) << result.err;
+    for (const char* no : {"c++ -c", "FAILED", "stopped", "candidate", "warning"})
+        EXPECT_FALSE(contains(result.err, no)) << result.err;
+    const std::string all = read_all(folder_.path() / "build/errors.txt");
+    EXPECT_TRUE(contains(all, "labs/a.h:1:1: error: b") && contains(all, "candidate")) << all;
+}
+
+TEST_F(Script, ABuildShowsTheWarningsAboutAStudentsFileOnce) {
+    const std::string task_file = (folder_.path() / "labs/05_x/task.cpp").string();
+    const std::string warning = ":9:1: warning: no return statement [-Wreturn-type]\n    9 | }\n      | ^\n";
+    const std::string step = "] Building CXX object task.o\n" + task_file + ": In function 'int f()':\n" + task_file;
+    folder_.write("messages.txt",
+                  "[1/3" + step + warning + "[2/3" + step + warning + "../framework/a.h:1:1: warning: w\n");
+    stand_in("ninja", "cat '" + (folder_.path() / "messages.txt").string() + "'");
+    const Result result = script({"check", "5"});
+    const std::string shown = "labs/05_x/task.cpp" + warning;
+    EXPECT_TRUE(contains(result.err, shown) && result.err.find(shown) == result.err.rfind(shown)) << result.err;
+    EXPECT_FALSE(contains(result.err, "a.h:1:1") || contains(result.err, "Building")) << result.err;
+}
+
+TEST_F(Script, AFailedBuildNamesATaskThatNoCompilerReads) {
+    const std::string file = "labs/05_x/task.cpp";
+    stand_in("ninja", "echo '" + (folder_.path() / file).string() + ":1:1: error: stray character'; exit 1");
+    folder_.write(file, std::string_view("\xff\xfe/\0/\0", 6));
+    EXPECT_TRUE(contains(script({"check", "5"}).err, file + ": this is text in UTF-16: save it as UTF-8"));
+    folder_.write(file, "// a\rint f();\r");
+    EXPECT_TRUE(contains(script({"check", "5"}).err, file + ": its lines end in CR alone"));
+    folder_.write(file, "// a\r\nint f();\r\n");
+    EXPECT_FALSE(contains(script({"check", "5"}).err, "CR alone"));
 }
 
 TEST_F(Script, FailedTestsAreAFailure) {

@@ -1,4 +1,4 @@
-// What a check in a browser allows: a shift of less than a pixel, and nothing else.
+// A check's allowance in a browser: a shift of less than a pixel, and nothing else.
 #include "framework/course/check/allowance.h"
 
 #include <gtest/gtest.h>

@@ -99,6 +99,43 @@ TEST(Reach, RejectsIncludesThatAreNotPartOfTheTask) {
               "includes common/perpendicular.glsl, which is not part of this task");
 }
 
+TEST(Reach, RejectsACppTaskThatReachesForTheTextOfAFile) {
+    const auto said = [](const std::string& line) {
+        const auto fault =
+            fault_of_task("#include \"task.h\"\n#include <cmath>\n" + line + "\nint after;\n", "a/task.cpp");
+        EXPECT_TRUE(!fault || fault->line == 3) << line;
+        EXPECT_TRUE(!fault || fault->quote.starts_with("    " + line.substr(0, line.find('\n')) + "\n")) << line;
+        return fault ? fault->message : "";
+    };
+    for (const std::string word : {"asm", "__asm", "__asm__"}) {
+        const std::string refused = "has '" + word + "', which can read files: a task is C++ alone";
+        EXPECT_EQ(said(word + "(\"nop\");"), refused);
+        EXPECT_EQ(said("#define READ " + word), refused);
+    }
+    EXPECT_EQ(said("as\\\nm(\"nop\");"), "has 'asm', which can read files: a task is C++ alone");
+    EXPECT_EQ(said("const char* self = __FILE__;"), "has '__FILE__', which can read files: a task is C++ alone");
+    EXPECT_EQ(said("#include __FILE__"), "has '__FILE__', which can read files: a task is C++ alone");
+    EXPECT_EQ(said("[[gnu::section(\"a\\n.incbin \\\"b\\\"\")]] int x;"),
+              "has '.incbin', by which an assembler reads files: a task is C++ alone");
+    EXPECT_EQ(said("#define JOIN(a, b) a##b"), "has '##': write each name as a whole");
+    EXPECT_EQ(said("%:include \"/x\""), "has '%:': write it as '#'");
+    EXPECT_EQ(said("auto text = R\"(\")\";"), "has a raw string: write it as a plain one");
+    EXPECT_EQ(said("#embed \"task.cpp\""), "has '#embed', which reads a file: a task includes headers only");
+    EXPECT_EQ(said("#include HEADER"), "has an '#include' without the name of a header");
+    EXPECT_EQ(said("#include_next <cmath>"), "has an '#include_next' without the name of a header");
+    for (const std::string path : {"/etc/passwd", "../staff/truth.cpp", "a/../../b.h"}) {
+        const std::string refused =
+            "includes " + path + ": a task includes headers of the course by their names, without '..'";
+        EXPECT_EQ(said("#include \"" + path + "\""), refused);
+        EXPECT_EQ(said(" # include <" + path + ">"), refused);
+    }
+    for (const std::string honest :
+         {"// asm(\"\") ## __FILE__", "int asm_, section = 1 % 2;", "#include \"framework/core/mesh/frame.h\" // ..",
+          "const char* text = \"asm ## R\";", "#define HALF(x) (0.5 * (x))", "int R = 7, x = R % R;"})
+        EXPECT_EQ(said(honest), "") << honest;
+    EXPECT_FALSE(fault_of_task("float asm_of() { return 1.0; }\n", "a/task.glsl"));
+}
+
 TEST(Reach, AcceptsEveryTaskOfTheCourse) {
     size_t files = 0;
     for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
@@ -107,7 +144,10 @@ TEST(Reach, AcceptsEveryTaskOfTheCourse) {
         const OtherShaders others(LabEntry{0, "", lab.path().filename()}, manifest);
         std::set<std::string> shaders;
         for (const TaskInfo& task : manifest.tasks)
-            if (is_shader(task.file)) shaders.insert(task.file);
+            if (is_shader(task.file))
+                shaders.insert(task.file);
+            else
+                EXPECT_FALSE(fault_of_task(read_file(course_root() / task.file), task.file)) << task.file;
         for (const std::string& file : shaders) {
             EXPECT_EQ(reaches_beyond(read_file(course_root() / file), others), "") << file;
             ++files;

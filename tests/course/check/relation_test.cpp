@@ -70,7 +70,7 @@ TEST(Relation, NamesNegatedSwappedAndMissingComponentsOfADirection) {
     EXPECT_EQ(with([](float* n) { n[0] = 0; }), "yours is the expected direction with 0 for x");
     EXPECT_EQ(with([](float* n) { n[2] *= 2; }), "yours is the expected direction with twice z");
     EXPECT_EQ(with([](float* n) { n[2] = 1; }), "yours is the expected direction with 1 for z");
-    EXPECT_EQ(with([](float* n) { n[0] = n[1] = 0, n[2] = 1; }), "yours is (0, 0, 1) everywhere");
+    EXPECT_EQ(with([](float* n) { n[0] = n[1] = 0, n[2] = 1; }), "yours is the direction (0, 0, 1) everywhere");
     EXPECT_EQ(with([](float* n) { n[0] = std::abs(n[0]); }),
               "yours is the expected direction with the absolute value of x in place of x");
     EXPECT_EQ(with([](float* n) {

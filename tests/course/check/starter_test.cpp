@@ -93,18 +93,6 @@ TEST(Region, ReportsUnpairedMarksWithTheirLine) {
     EXPECT_TRUE(message("//(x\n//[solution\n//)\n").starts_with("t.glsl:3: a region begins and ends outside"));
 }
 
-TEST(Task, IsUnfinishedWhileItCallsUnfinished) {
-    const std::string starter = starter_of(task, "t");
-    EXPECT_TRUE(is_unfinished(starter, "9.1"));
-    EXPECT_FALSE(is_unfinished(task, "9.1")) << "the solution stands there, the starter is a comment";
-    EXPECT_FALSE(is_unfinished(starter, "9.2")) << "a word in a comment is no call";
-    EXPECT_FALSE(is_unfinished("// TASK 1.10: a\nunfinished(0.0)\n// TASK 1.1: b\n1.0", "1.1"));
-    EXPECT_TRUE(is_unfinished("// TASK 1.1: a\n/* */ unfinished (0.0);", "1.1"));
-    EXPECT_FALSE(is_unfinished("// TASK 1.1: a\nis_unfinished(0.0); /* unfinished(", "1.1"));
-    EXPECT_TRUE(is_unfinished("float f() { return unfinished(0.0); }", "1.1"))
-        << "the comment is gone, the call is not";
-}
-
 TEST(TaskParts, ExtendFromATaskLineToTheNextTask) {
     const std::string text =
         "#include x\n// TASK 1.1 (2 points): a\nint a;\n    //  TASK 1.1 again\n// TASK 1.2.\nint b;";
@@ -115,13 +103,6 @@ TEST(TaskParts, ExtendFromATaskLineToTheNextTask) {
     EXPECT_EQ(parts[1].text, "// TASK 1.1 (2 points): a\nint a;\n    //  TASK 1.1 again\n");
     EXPECT_EQ(parts[2].task, "1.2");
     EXPECT_EQ(parts[2].text, "// TASK 1.2.\nint b;");
-    EXPECT_EQ(task_at_line(text, 1), "");
-    EXPECT_EQ(task_at_line(text, 2), "1.1");
-    EXPECT_EQ(task_at_line(text, 4), "1.1");
-    EXPECT_EQ(task_at_line(text, 5), "1.2");
-    EXPECT_EQ(task_at_line(text, 6), "1.2") << "without a line end";
-    EXPECT_EQ(task_at_line(text, 7), "");
-    EXPECT_EQ(task_at_line("", 1), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// GLSL 4.10 in ES 3.00: what is converted, and that lines keep their numbers.
+// GLSL 4.10 in ES 3.00: the conversions, and that lines keep their numbers.
 #include "framework/course/web/es_shader.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* version = "#version 410 core\n";
 
-/// Returns a converted text without what es_shader() puts in front of it.
+/// Returns a converted text without the lines that es_shader() puts in front of it.
 std::string body(const std::string& text, EsStage stage) {
     const std::string converted = es_shader(version + text, stage), mark = "#line 2\n";
     const size_t at = converted.find(mark);

@@ -1,4 +1,4 @@
-// The functions that the labs get in a browser, compared with those of OpenGL.
+// The functions that the labs get in a browser, compared with OpenGL's.
 #include <gtest/gtest.h>
 
 #include <random>

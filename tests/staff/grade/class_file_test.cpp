@@ -291,21 +291,25 @@ TEST_F(ClassFiles, AreRememberedForLaterRunsInTheFolder) {
 
 // ---- the standing of students ----
 
-SubmissionMark submission(const std::string& name, std::map<std::string, double> points_by_task) {
+/// Returns three checks, of which so many passed.
+std::vector<check::Verdict> checks_with(int passed) {
+    std::vector<check::Verdict> checks;
+    for (int i = 0; i < 3; ++i)
+        checks.push_back({.outcome = i < passed ? check::Outcome::passed : check::Outcome::wrong,
+                          .found = "0.5",
+                          .name = std::to_string(i)});
+    return checks;
+}
+
+SubmissionMark submission(const std::string& name, std::map<std::string, int> points_by_task) {
     SubmissionMark mark;
     mark.name = name;
     for (const char* folder : {"13_displacement", "14_adaptive_displacement"}) {
         LabMark lab{.lab = folder};
         for (const auto& [id, points] : points_by_task)
             if (id.substr(0, 2) == lab.lab.substr(0, 2))
-                lab.tasks.push_back({.id = id,
-                                     .title = "A task",
-                                     .file = "task.glsl",
-                                     .of = 3,
-                                     .points = points,
-                                     .checks = {{.name = "one",
-                                                 .outcome = points > 0 ? check::Outcome::passed : check::Outcome::wrong,
-                                                 .found = "0.5"}}});
+                lab.tasks.push_back(
+                    {.id = id, .title = "A task", .file = "task.glsl", .of = 3, .checks = checks_with(points)});
         if (!lab.tasks.empty()) mark.labs.push_back(lab);
     }
     return mark;
@@ -483,6 +487,105 @@ TEST(HandInLog, KeepsTheMarksOfLabsThatALaterRunDoesNotGrade) {
     EXPECT_FALSE(earlier_marks(folder.path(), "jane", "another course or seed"));
     folder.write("hand_ins/jane.json", "{");
     EXPECT_FALSE(earlier_marks(folder.path(), "jane", "course"));
+}
+
+// ---- teams ----
+
+class Teams : public ClassFiles {
+protected:
+    /// Returns the standing of a class in which jane and joe are a team, and kim has none.
+    ClassStanding standing_of_class(const std::vector<SubmissionMark>& marks, const std::string& more = "") {
+        folder.write("roster.csv", "student,canvas_id,team\njane,1,red\njoe,2,red\nkim,3,\n");
+        return class_standing(marks, read("roster = \"roster.csv\"\n" + more + some_labs + "[[assigned]]\nlab = 14\n"),
+                              {});
+    }
+    static const Standing& of(const ClassStanding& standing, const std::string& name) {
+        for (const Standing& one : standing.students)
+            if (one.name == name) return one;
+        throw Error("no standing of " + name);
+    }
+};
+
+TEST_F(Teams, OneSubmissionOfAMemberCountsForAll) {
+    const std::vector marks = {submission("joe", {{"13.1", 2}, {"14.1", 3}}), submission("kim", {{"13.1", 1}})};
+    const ClassStanding standing = standing_of_class(marks);
+    EXPECT_EQ(standing.students.size(), 3u);
+    for (const char* member : {"jane", "joe"}) {
+        EXPECT_EQ(of(standing, member).points(), 5) << member;
+        EXPECT_EQ(of(standing, member).state(), "graded");
+    }
+    EXPECT_EQ(of(standing, "joe").remarks(), Cells{}) << "there is nothing to choose";
+    EXPECT_EQ(of(standing, "jane").remarks(), Cells{"the submission 'joe' counts for team red"});
+    EXPECT_EQ(of(standing, "kim").points(), 1);
+    EXPECT_EQ(standing.notes, Cells{}) << "nobody of the team is missing";
+    const std::string csv = to_csv(standing), canvas = to_canvas(standing);
+    EXPECT_TRUE(contains(csv, "\njane,graded,5,")) << csv;
+    EXPECT_TRUE(contains(csv, ",section,team,")) << csv;
+    EXPECT_TRUE(contains(csv, ",red,")) << csv;
+    EXPECT_TRUE(contains(canvas, "jane,1,,,,2,3\n")) << canvas;
+    EXPECT_TRUE(contains(canvas, "joe,2,,,,2,3\n")) << canvas;
+    EXPECT_TRUE(contains(to_surefire(of(standing, "jane")), "name=\"points\" value=\"5\""));
+}
+
+TEST_F(Teams, ASubmissionOfTheTeamsNameCountsAndHasNoRowOfItsOwn) {
+    const std::vector marks = {submission("red", {{"13.1", 2}})};
+    const ClassStanding standing = standing_of_class(marks);
+    EXPECT_EQ(standing.students.size(), 3u);
+    EXPECT_EQ(of(standing, "jane").points(), 2);
+    EXPECT_EQ(of(standing, "joe").points(), 2);
+    EXPECT_EQ(standing.notes, Cells{"1 student of the roster handed nothing in: kim"});
+}
+
+TEST_F(Teams, OfTwoSubmissionsTheLastCountsLabByLab) {
+    const std::vector marks = {submission("jane", {{"13.1", 3}}), submission("joe", {{"13.1", 1}, {"14.1", 2}})};
+    folder.write("times.csv", "student,lab,handed_in\njane,,2027-02-20 10:00\njoe,,2027-02-21 10:00\n");
+    const ClassStanding standing = standing_of_class(marks, "hand_ins = \"times.csv\"\n");
+    const std::string why = "lab 13: the submission 'joe' counts for team red, and not 'jane': it was handed in last";
+    for (const char* member : {"jane", "joe"}) {
+        EXPECT_EQ(of(standing, member).points(), 3) << member << ": 1 in lab 13, 2 in lab 14";
+        EXPECT_EQ(of(standing, member).remarks(), Cells{why});
+        EXPECT_EQ(of(standing, member).remarks("13_displacement"), Cells{why});
+        EXPECT_EQ(of(standing, member).remarks(lab_14), Cells{});
+    }
+    EXPECT_EQ(standing.notes, (Cells{why, "1 student of the roster handed nothing in: kim"}));
+    folder.write("times.csv", "student,lab,handed_in\njoe,,2027-02-21 10:00\n");
+    const ClassStanding untimed = standing_of_class(marks, "hand_ins = \"times.csv\"\n");
+    EXPECT_EQ(of(untimed, "joe").points(), 5) << "3 in lab 13, 2 in lab 14";
+    EXPECT_EQ(
+        of(untimed, "joe").remarks(),
+        Cells{"lab 13: the submission 'jane' counts for team red, and not 'joe': it has the most points, since not "
+              "all have a time in hand_ins"});
+    EXPECT_EQ(of(untimed, "joe").sources,
+              (std::map<std::string, std::string>{{"13_displacement", "jane"}, {lab_14, "joe"}}));
+}
+
+TEST_F(Teams, LatenessIsThatOfTheSubmissionThatCountsAndAnExtensionIsForAll) {
+    const std::vector marks = {submission("jane", {{"13.1", 3}})};
+    folder.write("times.csv", "student,lab,handed_in\njane,,2027-03-04 10:00\n");
+    const std::string late = "hand_ins = \"times.csv\"\n";
+    folder.write("marks/adjustments.csv", "student,task,points,note\njoe,13.1,-1,was absent\n");
+    folder.write("roster.csv", "student,team\njane,red\njoe,red\n");
+    const std::string text = "roster = \"roster.csv\"\n" + late + some_labs + "[late]\npercent_per_day = 10\n";
+    const ClassStanding standing = class_standing(marks, read(text), {});
+    EXPECT_DOUBLE_EQ(of(standing, "jane").points(), 0.7 * 3);
+    EXPECT_DOUBLE_EQ(of(standing, "joe").points(), 0.7 * 2) << "an adjustment is a member's own";
+    const ClassStanding longer = class_standing(marks, read(text + "[[extension]]\nstudent = \"joe\"\ndays = 2\n"), {});
+    EXPECT_DOUBLE_EQ(of(longer, "jane").points(), 0.9 * 3);
+    EXPECT_DOUBLE_EQ(of(longer, "joe").points(), 0.9 * 2);
+}
+
+TEST_F(Teams, AWaitingSubmissionIsThatOfAllMembers) {
+    folder.write("roster.csv", "student,team\njane,red\njoe,red\nkim,\n");
+    const std::vector<SubmissionMark> none;
+    const ClassStanding standing = class_standing(none, read("roster = \"roster.csv\"\n" + some_labs), {}, {"joe"});
+    EXPECT_EQ(of(standing, "jane").state(), "not graded yet");
+    EXPECT_EQ(of(standing, "kim").state(), "nothing handed in");
+}
+
+TEST_F(Teams, OfAStudentsNameAreRefused) {
+    folder.write("roster.csv", "student,team\njane,\njoe,jane\n");
+    EXPECT_TRUE(contains(refused("roster = \"roster.csv\"\n" + some_labs),
+                         "roster.csv:3: the team 'jane' has the name of a student: rename it"));
 }
 
 TEST_F(ClassFiles, AdjustmentsOfUnknownStudentsOrTasksAreRefused) {

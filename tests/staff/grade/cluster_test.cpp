@@ -141,7 +141,7 @@ protected:
         fs::create_directories(marks_ / "results");
         Roster roster{.course = "c", .seed = "secret", .labs = {}, .submissions = {}};
         for (const char* name : {"ann", "ben", "cem", "dan", "eva", "fay"})
-            roster.submissions.push_back({name, "h", "/"});
+            roster.submissions.push_back({.name = name, .hash = "h", .parts = {{.path = "/"}}});
         write_roster(marks_, roster);
     }
     void tool(const std::string& name, const std::string& body) const {
@@ -296,7 +296,7 @@ TEST_F(ClusterTest, AResultCountsIfCompleteOfThisCourseAndNotAMachineFailure) {
     SubmissionMark failed;
     failed.name = "eva", failed.course = "c";
     LabMark& lab = failed.labs.emplace_back(LabMark{.lab = "01"});
-    lab.tasks.emplace_back().checks.push_back({.name = "all", .outcome = check::Outcome::machine, .found = "no disk"});
+    lab.tasks.emplace_back().checks.push_back({.outcome = check::Outcome::machine, .found = "no disk", .name = "all"});
     write_file(result_file(marks_, "eva"), to_json(failed));
     const ClassProgress progress = read_progress(marks_);
     EXPECT_EQ(progress.results(), 1u);

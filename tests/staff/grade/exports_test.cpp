@@ -51,12 +51,11 @@ struct HostileClass {
                                  .title = "A & B",
                                  .file = "task.glsl",
                                  .of = 4,
-                                 .points = 2,
-                                 .checks = {{.name = "open", .outcome = check::Outcome::passed, .found = "0"},
-                                            {.name = "secret name",
-                                             .outcome = check::Outcome::wrong,
+                                 .checks = {{.outcome = check::Outcome::passed, .found = "0", .name = "open"},
+                                            {.outcome = check::Outcome::wrong,
                                              .found = "secret finding " + hostile[i],
                                              .look_at = "look " + hostile[i],
+                                             .name = "secret name",
                                              .hidden = true}},
                                  .mistake = "known",
                                  .hint = hostile[i]});
@@ -237,7 +236,7 @@ TEST(PrairieLearn, TakesTheResults) {
     EXPECT_EQ(result.at("gradable"), false) << "costs no attempt";
     EXPECT_FALSE(result.contains("score"));
     large.labs[0].tasks[0].checks.resize(
-        1000, {.name = "many", .outcome = check::Outcome::wrong, .found = std::string(4000, 'x')});
+        1000, {.outcome = check::Outcome::wrong, .found = std::string(4000, 'x'), .name = "many"});
     EXPECT_LT(to_prairielearn(standing_of(large)).size(), 1'000'000u);
 }
 
@@ -251,10 +250,10 @@ SubmissionMark with_failures() {
          .title = "A",
          .file = "task.glsl",
          .of = 4,
-         .checks = {{.name = "own", .outcome = check::Outcome::wrong, .found = "<b> & more"},
-                    {.name = "turned", .outcome = check::Outcome::wrong, .found = "0", .view = "a hidden view"},
-                    {.name = "secret", .outcome = check::Outcome::wrong, .found = "0", .hidden = true},
-                    {.name = "right", .outcome = check::Outcome::passed, .found = "0"}}});
+         .checks = {{.outcome = check::Outcome::wrong, .found = "<b> & more", .name = "own"},
+                    {.outcome = check::Outcome::wrong, .found = "0", .view = "a hidden view", .name = "turned"},
+                    {.outcome = check::Outcome::wrong, .found = "0", .name = "secret", .hidden = true},
+                    {.outcome = check::Outcome::passed, .found = "0", .name = "right"}}});
     mark.labs.push_back(lab);
     return mark;
 }

@@ -144,6 +144,19 @@ TEST_F(OriginalityTest, ARenamedAndReorderedCopyIsTheFirstPairAndRightAnswersAre
     EXPECT_EQ(report.clusters, (std::vector<std::vector<size_t>>{{pair.authors[0], pair.authors[1]}}));
 }
 
+TEST_F(OriginalityTest, MembersOfATeamAreNoPair) {
+    ClassFile policy;
+    policy.students = {{.student = "jane", .team = "red"}, {.student = "joe", .team = "red"}, {.student = "kim"}};
+    std::vector<fs::path> paths;
+    const std::vector<std::string> right = right_answers();
+    for (size_t i = 0; i < right.size(); ++i) paths.push_back(hand_in("right" + std::to_string(i), right[i]));
+    for (const char* name : {"jane", "joe", "kim"}) paths.push_back(hand_in(name, own_answer()));
+    const OriginalityReport report = compare_class(paths, {}, lab_11(), policy);
+    EXPECT_EQ(report.of_teams, 1u);
+    ASSERT_EQ(report.pairs.size(), 2u);
+    for (const SimilarPair& pair : report.pairs) EXPECT_EQ(report.authors[pair.authors[1]].name, "kim");
+}
+
 TEST_F(OriginalityTest, MarkedLinesAreThoseOfTheCopy) {
     const OriginalityReport report =
         compare_class({hand_in("a", own_answer()), hand_in("b", copied_answer())}, {}, lab_11());
@@ -210,7 +223,7 @@ TEST_F(OriginalityTest, BrokenFilesAreNamedAndHideNoPair) {
     const std::vector<fs::path> paths = {hand_in("author", own_answer()),
                                          hand_in("copy", copied_answer()),
                                          hand_in("bytes", bytes),
-                                         hand_in("endless", "// TASK 11.1\n" + endless),
+                                         hand_in("endless", "float crossing(float before, float after) {\n" + endless),
                                          hand_in("unclosed", replaced(solution(), "float texels =", "{{{(((")),
                                          hand_in("huge", std::string(2 << 20, 'x')),
                                          hand_in("nothing", ""),

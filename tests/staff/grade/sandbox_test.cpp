@@ -79,8 +79,9 @@ TEST_F(Sandbox, DistinguishesHowAProgramEnds) {
     const ProcessResult crashed = shell("kill -SEGV $$");
     EXPECT_EQ(crashed.ending, Ending::crashed);
     EXPECT_EQ(crashed.code, SIGSEGV);
-    EXPECT_EQ(shell("exit 97").ending, Ending::out_of_memory);
-    EXPECT_EQ(shell("kill -KILL $$").ending, Ending::out_of_memory);
+    EXPECT_EQ(shell("trap '' XCPU; while :; do :; done", {.wall = 20, .cpu = 1}).ending, Ending::out_of_time)
+        << "the system kills a program that ignores the signal";
+    EXPECT_EQ(shell("kill -KILL $$").ending, Ending::crashed) << "its time was not over";
     EXPECT_EQ(shell("yes", {.wall = 10, .output = 1 << 20}).ending, Ending::too_much_output);
     EXPECT_EQ(shell("yes >&2", {.wall = 10}).ending, Ending::too_much_output);
     const ProcessResult flood = shell("yes", {.wall = 10, .output = 1 << 20});

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 const std::set<std::string> wanted = {"shaders/01_a/task.glsl", "labs/05_b/task.cpp"};
 constexpr const char* shader = "shaders/01_a/task.glsl";
+using Remarks = std::vector<std::string>;
 
 /// Makes an archive with a few lines of Python, such as no honest program would write.
 fs::path python(const TemporaryFolder& folder, const std::string& name, const std::string& lines) {
@@ -92,12 +93,137 @@ TEST(Submission, MayBePackedInAFolderOfAnyName) {
 
 TEST(Submission, ReportsWhichOfSeveralFoldersIsGraded) {
     const TemporaryFolder folder;
-    for (const char* name : {"jane", "joe"}) folder.write(name + std::string("/") + shader, "mine");
-    const std::string doubt = read_submission(folder.path(), wanted).doubt;
-    EXPECT_TRUE(contains(doubt, "only 'jane/shaders/01_a/task.glsl' is graded")) << doubt;
+    for (const char* name : {"jane", "joe"}) folder.write(name + std::string("/") + shader, name);
+    const auto remarks = [&](const fs::path& path) { return read_submission(path, wanted).remarks; };
+    EXPECT_EQ(remarks(folder.path()),
+              Remarks{"'jane/shaders/01_a/task.glsl' is graded, and not 'joe/shaders/01_a/task.glsl': it is the first "
+                      "by name. Are these several submissions?"});
     folder.write(shader, "mine");
-    EXPECT_EQ(read_submission(folder.path(), wanted).doubt, "") << "the one in the fewest folders is plain";
-    EXPECT_EQ(read_submission(folder.path() / "joe", wanted).doubt, "");
+    EXPECT_EQ(remarks(folder.path()), Remarks{"'shaders/01_a/task.glsl' is graded, and not "
+                                              "'jane/shaders/01_a/task.glsl' and 1 more: it is in fewer folders"});
+    EXPECT_EQ(remarks(folder.path() / "joe"), Remarks{});
+    folder.write("twin/a/" + std::string(shader), "mine");
+    folder.write("twin/b/" + std::string(shader), "mine");
+    EXPECT_EQ(remarks(folder.path() / "twin"), Remarks{}) << "the same text is no other version";
+    folder.write("late/work (1)/" + std::string(shader), "new");
+    folder.write("late/work/" + std::string(shader), "old");
+    EXPECT_EQ(read_submission(folder.path() / "late", wanted).files.at(shader), "new");
+    EXPECT_EQ(remarks(folder.path() / "late"),
+              Remarks{"'work (1)/shaders/01_a/task.glsl' is graded, and not 'work/shaders/01_a/task.glsl': its number "
+                      "is that of the later copy"});
+}
+
+TEST(Submission, AFileWithANearNameIsGradedIfThereIsNoOther) {
+    const std::string told = "// TASK 1.2 (3 points): what?\nmine";
+    for (const auto& [name, text] :
+         std::vector<std::pair<std::string, std::string>>{{"shaders/01_a/task (1).glsl", "mine"},
+                                                          {"shaders/01_a/Task.glsl", "mine"},
+                                                          {"shaders/01_a/task.glsl.txt", "mine"},
+                                                          {"SHADERS/01_A/TASK.GLSL", "mine"},
+                                                          {"01_a/task.glsl", "mine"},
+                                                          {"lab01.glsl", "mine"},
+                                                          {"Lab 1 task.glsl", "mine"},
+                                                          {"task.glsl", told},
+                                                          {"my work/task_final.glsl", told},
+                                                          {"\u00dcbung/lab_1/task-2.glsl", "mine"}}) {
+        const TemporaryFolder folder;
+        folder.write("jane/" + name, text);
+        folder.write("jane/shaders/01_a/surface.frag", "");
+        const Submission found = read_submission(folder.path() / "jane", wanted);
+        EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, text}})) << name;
+        EXPECT_EQ(found.remarks, Remarks{"'" + name +
+                                         "' is graded as shaders/01_a/task.glsl, since there is no file "
+                                         "of that name and place"});
+        folder.write(std::string("jane/") + shader, "right");
+        const Submission both = read_submission(folder.path() / "jane", wanted);
+        EXPECT_EQ(both.files, (std::map<std::string, std::string>{{shader, "right"}})) << name;
+        EXPECT_EQ(both.remarks, Remarks{"'shaders/01_a/task.glsl' is graded, and not '" + name +
+                                        "': it has the name that is asked for"});
+    }
+}
+
+TEST(Submission, OfNearNamesTheLatestCopyCounts) {
+    const TemporaryFolder folder;
+    for (const char* number : {"1", "10", "2"})
+        folder.write(std::string("shaders/01_a/task (") + number + ").glsl", number);
+    const Submission found = read_submission(folder.path(), wanted);
+    EXPECT_EQ(found.files.at(shader), "10");
+    EXPECT_EQ(
+        found.remarks,
+        Remarks{"'shaders/01_a/task (10).glsl' is graded as shaders/01_a/task.glsl, since there is no file of that "
+                "name and place; and not 'shaders/01_a/task (2).glsl' and 1 more: its number is that of the later "
+                "copy"});
+}
+
+TEST(Submission, AFileOfAnUnknownLabIsReported) {
+    const TemporaryFolder folder;
+    const std::set<std::string> two = {"shaders/01_a/task.glsl", "shaders/02_b/task.glsl"};
+    folder.write("task.glsl", "float x;");
+    const Submission found = read_submission(folder.path(), two);
+    EXPECT_TRUE(found.files.empty());
+    EXPECT_EQ(found.remarks, Remarks{"'task.glsl' is not graded: neither its folder nor a line // TASK 1.1 in it names "
+                                     "its lab"});
+    folder.write("task.glsl", "// TASK 3.1");
+    EXPECT_TRUE(read_submission(folder.path(), two).files.empty()) << "of a lab that is not graded";
+    folder.write("task.glsl", "// TASK 2.1");
+    EXPECT_EQ(read_submission(folder.path(), two).files.begin()->first, "shaders/02_b/task.glsl");
+}
+
+TEST(Submission, LeftoversOfEditorsAreNoVersions) {
+    const TemporaryFolder folder;
+    folder.write(shader, "mine");
+    for (const char* ending : {"~", ".bak", ".orig", ".new"}) folder.write(shader + std::string(ending), "older");
+    folder.write("shaders/01_a/._task.glsl", "Mac OS X");
+    const Submission found = read_submission(folder.path(), wanted);
+    EXPECT_EQ(found.files.at(shader), "mine");
+    EXPECT_EQ(found.remarks, Remarks{});
+    fs::remove(folder.path() / shader);
+    EXPECT_EQ(read_submission(folder.path(), wanted).files.at(shader), "older")
+        << "but of these .bak is better than none";
+}
+
+TEST(Submission, AnArchiveInsideIsReadIfThereIsNoTaskFileBesideIt) {
+    const TemporaryFolder folder;
+    const auto zipped = [&](const std::string& place, const std::string& inside) {
+        fs::create_directories((folder.path() / place).parent_path());
+        return python(folder, place, "z = zipfile.ZipFile(path, 'w'); " + inside + "; z.close()");
+    };
+    const std::string task = "z.writestr('shaders/01_a/task.glsl', 'packed')";
+    zipped("jane/hand-in.zip", task);
+    zipped("jane/older/broken.zip", "z.writestr('x', '')");
+    folder.write("jane/damaged.zip", "no archive");
+    const Submission found = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, "packed"}}));
+    ASSERT_EQ(found.remarks.size(), 1u);
+    EXPECT_TRUE(contains(found.remarks[0], "'damaged.zip' cannot be read: not a zip or tar archive"));
+    const Submission outer = read_submission(
+        zipped("outer.zip", "z.write('" + (folder.path() / "jane/hand-in.zip").string() + "', 'x/hand-in.zip')"),
+        wanted);
+    EXPECT_EQ(outer.files, (std::map<std::string, std::string>{{shader, "packed"}})) << outer.problem;
+    const Submission third = read_submission(
+        zipped("third.zip", "z.write('" + (folder.path() / "outer.zip").string() + "', 'outer.zip')"), wanted);
+    EXPECT_TRUE(third.files.empty()) << "an archive in an archive in an archive is not opened";
+    folder.write(std::string("jane/") + shader, "mine");
+    EXPECT_EQ(read_submission(folder.path() / "jane", wanted).files.at(shader), "mine");
+    zipped("joe/work.zip", task);
+    zipped("joe/work (1).zip", "z.writestr('shaders/01_a/task.glsl', 'newer')");
+    const Submission later = read_submission(folder.path() / "joe", wanted);
+    EXPECT_EQ(later.files.at(shader), "newer");
+    ASSERT_EQ(later.remarks.size(), 1u);
+    EXPECT_TRUE(contains(later.remarks[0], "its number is that of the later copy")) << later.remarks[0];
+    zipped("bad/escape.zip",
+           "z.writestr('../shaders/01_a/task.glsl', 'bad'); z.writestr('/shaders/01_a/task.glsl', 'bad')");
+    EXPECT_TRUE(read_submission(folder.path() / "bad", wanted).files.empty());
+}
+
+TEST(Submission, OfSeveralUploadsTheLaterOneCounts) {
+    const TemporaryFolder folder;
+    const fs::path first = folder.write("rossigina_1_20_task.glsl", "older"),
+                   second = folder.write("rossigina_1_30_task.glsl", "newer"),
+                   third = folder.write("rossigina_1_40_task.cpp", "int x;");
+    const Submission found =
+        read_submission("gina", {{second, "task.glsl", 30}, {first, "task.glsl", 20}, {third, "task.cpp", 40}}, wanted);
+    EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, "newer"}, {"labs/05_b/task.cpp", "int x;"}}));
 }
 
 TEST(Submission, TakesTheLastOfDuplicateFilesInAnArchive) {

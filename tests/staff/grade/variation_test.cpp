@@ -105,13 +105,19 @@ TEST(Shard, IsReadFromTheOptionOrTheJobArrayVariables) {
 TEST(Roster, RoundTripsThroughItsFile) {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_roster(folder.path()));
-    const Roster roster{"c", "s\xff", {"01_x"}, {{"o'd \"d\"\n", "h", "/a/b"}, {"jane", "", "/c"}}};
+    const Roster roster{
+        "c",
+        "s\xff",
+        {"01_x"},
+        {{"o'd \"d\"\n", "h", {{"/a/b"}}, {"a remark"}}, {"jane", "", {{"/c", "task.glsl", 7}, {"/m\xfc"}}}},
+        {"/a", "/m\xfc"}};
     write_roster(folder.path(), roster);
     const auto read = read_roster(folder.path());
     ASSERT_TRUE(read);
     EXPECT_EQ(read->course + read->seed, "cs\xff") << "a seed of any bytes";
     EXPECT_EQ(read->labs, roster.labs);
     EXPECT_EQ(read->submissions, roster.submissions);
+    EXPECT_EQ(read->given, roster.given);
     folder.write("class.json", "{\"schema\": 1");
     EXPECT_THROW(read_roster(folder.path()), Error);
 }

@@ -35,6 +35,9 @@ void expect_no_secrets(const std::map<std::string, std::string>& texts, const st
                 if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) nowhere(line), ++lines;
         for (const CheckInfo& check : manifest.checks)
             if (check.hidden) nowhere('"' + check.name + '"'), ++hidden;
+        for (const ExampleInfo& example : manifest.examples)
+            if (example.hidden)
+                for (const std::string& call : example.calls) nowhere(call);
         for (const MistakeInfo& mistake : manifest.mistakes) nowhere(mistake.hint, "fingerprints.toml"), ++mistakes;
         for (const EquivalentInfo& equivalent : manifest.equivalents) {
             nowhere(equivalent.why), ++variants;

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
+#include <thread>
 
 #include "framework/core/base/text.h"
 #include "framework/staff/measure/answer.h"
@@ -44,9 +46,9 @@ struct Machine {
         return {.items = 10, .run = [this, name, seconds] { now += seconds, ran.push_back(name); }};
     }
     std::vector<BenchTimes> time(std::vector<BenchSubject> subjects, int repeats) {
-        BenchTurns turns(subjects, [this](const std::function<void()>& run, size_t times) {
+        BenchTurns turns(subjects, [this](const BenchSubject& subject, size_t times) {
             const double begin = now;
-            for (size_t i = 0; i < times; ++i) run();
+            for (size_t i = 0; i < times; ++i) subject.run();
             return now - begin;
         });
         for (int i = 0; i < repeats; ++i) turns.round();
@@ -92,6 +94,18 @@ TEST(BenchTurns, SpreadADriftOfTheMachineOverAllMethods) {
     EXPECT_NEAR(times[0].median / times[1].median, 1, 0.03);
 }
 
+TEST(BenchClock, OfTheProcessorCountsNoTimeInWhichOtherProgramsRun) {
+    // A sleeping thread loses the processor as it does to other programs.
+    const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+    EXPECT_LT(by_cpu_clock(sleep, 2), 0.5 * by_wall_clock(sleep, 2));
+    double sum = 0;
+    const auto compute = [&] {
+        for (int i = 1; i < 100'000; ++i) sum += std::sqrt(i);
+    };
+    EXPECT_GT(by_cpu_clock(compute, 1), 0);
+    EXPECT_GT(sum, 0);
+}
+
 std::vector<std::string> fields(const std::string& line) {
     std::vector<std::string> result(1);
     bool inside = false;
@@ -111,7 +125,7 @@ std::vector<std::string> fields(const std::string& line) {
 BenchRow measured(const std::string& method) {
     BenchRow row;
     row.topic = "topic", row.method = method, row.item = "texel", row.state = "measured", row.repeats = 9;
-    row.times = {4.5, 3, 5};
+    row.times = {4.5, 3, 5}, row.clock = "cpu";
     return row;
 }
 
@@ -119,9 +133,10 @@ TEST(BenchCsv, HasAFieldForEachColumnForAnyText) {
     std::vector<BenchRow> rows = {measured("plain, \"quoted\""), measured("peer"), measured("broken")};
     rows[0].knobs = {{"a", "1"}, {"b", "2"}}, rows[0].items = 7, rows[0].bytes_per_item = 16;
     rows[0].error = {1, 2, 3, "degree"}, rows[0].work = {{"taps", 1398101}, {"visits", 2.5}};
+    rows[1].times.p90 = 6.5, rows[1].clock = "wall";
     rows[2].state = "crashed: a, b", rows[2].repeats = 0;
-    std::vector<std::string> lines =
-        split(bench_csv(rows, {.cpu = "A, CPU", .compiler = "gcc", .commit = "abc", .clock = "gpu"}), '\n');
+    std::vector<std::string> lines = split(
+        bench_csv(rows, {.cpu = "A, CPU", .compiler = "gcc", .commit = "abc", .load = 7.5, .processors = 2}), '\n');
     ASSERT_EQ(lines.size(), 5u) << "a header, three lines, and the end of the last";
     for (std::string& line : lines)
         if (line.ends_with('\r')) line.pop_back();
@@ -138,7 +153,10 @@ TEST(BenchCsv, HasAFieldForEachColumnForAnyText) {
     EXPECT_EQ(field(0, "error_p99"), "2");
     EXPECT_EQ(field(0, "work"), "taps=1398101 visits=2.5");
     EXPECT_EQ(field(0, "cpu"), "A, CPU");
-    EXPECT_EQ(field(0, "clock"), "gpu");
+    EXPECT_EQ(field(0, "clock") + field(1, "clock"), "cpuwall");
+    EXPECT_EQ(field(0, "spread"), "");
+    EXPECT_EQ(field(1, "spread"), "wide") << "from 3 to 6.5";
+    EXPECT_EQ(field(0, "load") + " on " + field(0, "processors"), "7.5 on 2");
     EXPECT_EQ(field(1, "error_mean"), "") << "a peer makes no claim";
     EXPECT_EQ(field(1, "bytes_per_item"), "");
     EXPECT_EQ(field(2, "state"), "crashed: a, b");
@@ -149,10 +167,33 @@ TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
     std::vector<BenchRow> rows = {measured("one"), measured("two")};
     rows[0].knobs = {{"threads", "2"}}, rows[0].error = {0.125, 2, 3, "degree"};
     rows[1].state = "failed: no such map";
-    const std::string table = bench_table({"topic", "what it is about", "question?", {}}, rows);
+    const std::string table = bench_table({"topic", "what it is about", "question?", {}}, rows, {});
     for (const char* part :
          {"what it is about", "one", "threads=2", "ns/texel", "4.5", "mean degree", "0.125", "failed: no such map"})
         EXPECT_TRUE(contains(table, part)) << part;
+}
+
+TEST(BenchTable, MarksTimesThatSpreadByMoreThanAFactorOf2AndPrintsTheLoad) {
+    const BenchTopic topic{"topic", "what it is about", "question?", {}};
+    std::vector<BenchRow> rows = {measured("narrow"), measured("limit"), measured("wide")};
+    rows[1].times.p90 = 6, rows[2].times.p90 = 6.1;
+    const std::string table = bench_table(topic, rows, {.load = 7.123, .processors = 2});
+    std::vector<std::string> starred;
+    for (const std::string& line : split(table, '\n'))
+        if (line.ends_with(" *")) starred.push_back(line.substr(0, line.find(' ')));
+    EXPECT_EQ(starred, std::vector<std::string>{"wide"}) << table;
+    EXPECT_TRUE(contains(table, "* p90 is more than twice p10")) << table;
+    EXPECT_TRUE(contains(table, "load 7.1 on 2 processors")) << table;
+    rows.pop_back();
+    EXPECT_FALSE(contains(bench_table(topic, rows, {}), "*")) << "nothing is marked";
+}
+
+TEST(BenchRow, NamesTheNumbersAmongItsKnobs) {
+    BenchRow row = measured("mikktspace");
+    row.knobs = {{"threads", "2"}, {"map_size", "64"}, {"wears", "map"}};
+    EXPECT_EQ(short_name(row), "mikktspace 2 threads map size 64 map");
+    row.knobs = {{"threads", "1"}};
+    EXPECT_EQ(short_name(row), "mikktspace 1 thread");
 }
 
 /// A row with a median time, its spread to both sides, and a mean error.
@@ -193,6 +234,26 @@ TEST(BenchAnswer, OfTimesAloneNamesNoFastestWithinTheSpread) {
     std::vector<BenchRow> rows = {timed_row("a", 1.0e6, 1e5, 0), timed_row("b", 1.1e6, 1e5, 0)};
     for (BenchRow& row : rows) row.error = {};
     EXPECT_EQ(answer_of_all(rows), "All 2 methods take about as long: 1 ms to 1.1 ms a frame.");
+    rows.push_back(timed_row("c", 3e6, 2.5e6, 0)), rows.back().error = {};
+    EXPECT_EQ(answer_of_all(rows), "The times of 3 methods cannot be told apart in this run: 1 ms to 3 ms a frame.");
+}
+
+TEST(BenchAnswer, SaysThatWideTimesCannotBeToldApart) {
+    // Medians of a busy machine: 191 ns and 13.5 ns, with overlapping spreads.
+    BenchRow fast = timed_row("quick", 13.5, 0, 1), slow = timed_row("slow", 191, 0, 0.5);
+    fast.times = {13.5, 13, 240}, slow.times = {191, 35, 1338};
+    const std::string text = answer_of_all({fast, slow});
+    EXPECT_FALSE(contains(text, "bout as")) << text;
+    EXPECT_TRUE(contains(text, "Cannot be told apart from it in this run: slow.")) << text;
+    EXPECT_TRUE(contains(text, "slow (191 ns, mean error 0.5 texels), a time that cannot be told apart in this run"))
+        << text;
+}
+
+TEST(BenchAnswer, CallsNoMediansAboutEqualThatDifferByMoreThanAFactorOf2) {
+    // Neither spread is wide, and they overlap.
+    BenchRow fast = timed_row("quick", 1e6, 0, 1), slow = timed_row("slow", 2.05e6, 0, 0.5);
+    fast.times = {1e6, 0.8e6, 1.5e6}, slow.times = {2.05e6, 1.4e6, 2.1e6};
+    EXPECT_FALSE(contains(answer_of_all({fast, slow}), "bout as"));
 }
 
 TEST(BenchTopics, HaveMethodsThatRunAndMeasureErrors) {

@@ -1,6 +1,7 @@
 // relief bench: its scenes in separate processes, its output, and the baseline of work.
 #include "framework/staff/measure/run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,6 +39,14 @@ TEST(RunScene, ReportsTimesErrorAndWorkOfEachMethod) {
     EXPECT_EQ(rows[0].work, (BenchWork{{"taps", 3}}));
     EXPECT_EQ(rows[1].repeats, 3);
     EXPECT_GT(rows[1].times.median, 0);
+}
+
+TEST(RunScene, TimesByProcessorTimeUnlessOtherThreadsDoTheWork) {
+    const BenchMethod parallel{"parallel", {}, [] { return BenchSubject{.run = [] {}, .is_parallel = true}; }};
+    const auto rows = run({good("one"), parallel});
+    EXPECT_EQ(rows[0].clock, "cpu");
+    EXPECT_EQ(rows[1].clock, "wall");
+    EXPECT_EQ(clocks_of(rows), "cpu and wall");
 }
 
 /// Ends the process by a signal, even with a sanitizer, which would otherwise catch the signal.
@@ -223,6 +232,24 @@ TEST(BenchPlot, DrawsBarsIfThereAreOnlyTimes) {
     EXPECT_FALSE(contains(*plot, "mean error"));
     for (BenchRow& row : rows) row.repeats = 0;
     EXPECT_EQ(bench_plot({"grade", "help", "question?", {}}, rows, {}), "") << "nothing was timed";
+}
+
+TEST(BenchPlot, DrawsTimesHollowThatSpreadByMoreThanAFactorOf2) {
+    constexpr const char* key = "hollow: p90 over twice p10";
+    for (const bool has_error : {true, false}) {
+        auto rows = timed_rows();
+        if (!has_error)
+            for (BenchRow& row : rows) row.error = {};
+        const auto narrow = bench_plot({"grade", "help", "question?", {}}, rows, {});
+        rows[1].times.p90 = 2.1 * rows[1].times.p10;
+        const auto wide = bench_plot({"grade", "help", "question?", {}}, rows, {});
+        ASSERT_TRUE(narrow && wide);
+        EXPECT_FALSE(contains(*narrow, key));
+        EXPECT_TRUE(contains(*wide, key));
+        EXPECT_TRUE(contains(*wide, "good, squares=4 x 4, p90 over twice p10</title>"));
+        for (size_t i = 0; i < rows.size(); ++i)
+            EXPECT_TRUE(contains(*wide, fmt::format("data-row=\"{}\"", i))) << "no point is lost";
+    }
 }
 
 BenchTopic sweep() {

@@ -68,7 +68,7 @@ TEST(SweepScene, IsMeasuredInAProcessWithoutTimesAndWrittenWithItsPlaces) {
     ASSERT_EQ(rows[0].sweep->places.size(), 3u);
     EXPECT_EQ(rows[0].sweep->places[1].error, 1);
     EXPECT_EQ(rows[0].sweep->places[2].not_finite, 1);
-    const std::string csv = bench_csv(rows, machine), table = bench_table(topic, rows);
+    const std::string csv = bench_csv(rows, machine), table = bench_table(topic, rows, machine);
     EXPECT_TRUE(contains(csv, ",0.5,1:0.1 10:1 100:not-finite,")) << csv;
     EXPECT_TRUE(contains(table, "off by more than 0.5 degrees at 10, not finite from 100 on. Why.")) << table;
     EXPECT_EQ(row_name(read_bench_csv(csv)[1]), row_name(rows[1]));

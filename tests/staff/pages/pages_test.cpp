@@ -33,16 +33,16 @@ Manifest some_manifest() {
 }
 
 grade::SubmissionMark some_submission() {
-    grade::TaskMark task{.id = hostile,
-                         .title = hostile,
-                         .file = hostile,
-                         .of = 3,
-                         .checks = {},
-                         .mistake = hostile,
-                         .hint = hostile + "`" + hostile + "`"};
+    check::TaskVerdict task{.id = hostile,
+                            .title = hostile,
+                            .file = hostile,
+                            .of = 3,
+                            .checks = {},
+                            .mistake = hostile,
+                            .hint = hostile + "`" + hostile + "`"};
     for (const check::Outcome outcome : {check::Outcome::passed, check::Outcome::wrong, check::Outcome::broken})
         task.checks.push_back(
-            {.name = hostile, .outcome = outcome, .found = hostile, .look_at = hostile, .view = hostile});
+            {.outcome = outcome, .found = hostile, .look_at = hostile, .view = hostile, .name = hostile});
     grade::SubmissionMark mark;
     mark.name = mark.problem = mark.isolation = hostile;
     mark.labs.push_back({.lab = "02_" + hostile, .tasks = {task}, .log = hostile, .times = {}});
@@ -143,12 +143,12 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
     TopicResult result;
     result.topic = &topic;
     measure::BenchMachine& machine = result.machine;
-    machine.cpu = machine.clock = machine.compiler = machine.commit = machine.renderer = hostile;
+    machine.cpu = machine.compiler = machine.commit = machine.renderer = hostile;
     for (const char* state : {"measured", hostile.c_str()}) {
         measure::BenchRow& row = result.rows.emplace_back();
         row.topic = "parallax", row.state = state, row.method = row.item = hostile;
         row.scene = row.knobs = {{hostile, hostile}}, row.work = {{hostile, 1}};
-        row.times = {1, 1, 1}, row.repeats = 10, row.error = {1, 1, 1, hostile, {}};
+        row.times = {1, 1, 3}, row.repeats = 10, row.clock = hostile, row.error = {1, 1, 1, hostile, {}};
         row.picture = row.error_map = Image(2, 2, 3, 8);
     }
     EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)}, [](const auto&, const auto&) {})), 20);
@@ -193,8 +193,8 @@ TEST(ExportPictures, AreSmallBoundedAndNeverHidden) {
 TEST(StudentPage, ShowsAHintOncePerTask) {
     grade::SubmissionMark mark = some_submission();
     mark.labs[0].tasks[0].hint = "";  // that of a known mistake would replace it
-    std::vector<grade::CheckMark>& checks = mark.labs[0].tasks[0].checks;
-    for (grade::CheckMark& check : checks)
+    std::vector<check::Verdict>& checks = mark.labs[0].tasks[0].checks;
+    for (check::Verdict& check : checks)
         check.outcome = check::Outcome::wrong, check.look_at = "mind the sign", check.view = "";
     checks[1].found = "something else";
     const std::string page = student_page(mark, {}, PageFor::student);
@@ -205,7 +205,7 @@ TEST(StudentPage, ShowsAHintOncePerTask) {
 
 TEST(StudentPage, UnfoldsTheFirstPicturesOfATaskAndFoldsTheRest) {
     grade::SubmissionMark mark = some_submission();
-    grade::TaskMark& task = mark.labs[0].tasks[0];
+    check::TaskVerdict& task = mark.labs[0].tasks[0];
     const Manifest manifest = some_manifest();
     std::vector<grade::CheckPictures> pictures;
     for (size_t i = 0; i < task.checks.size(); ++i) {
@@ -232,7 +232,7 @@ TEST(StudentPage, RoundsPointsToTwoDecimals) {
 TEST(ClassPage, FoldsTheChecksThatEverybodyPassed) {
     grade::ClassReport report;
     report.marks = {some_submission()};
-    std::vector<grade::CheckMark>& checks = report.marks[0].labs[0].tasks[0].checks;
+    std::vector<check::Verdict>& checks = report.marks[0].labs[0].tasks[0].checks;
     for (size_t i = 0; i < checks.size(); ++i) checks[i].name = "check " + std::to_string(i);
     const std::string page = class_page(report);
     const size_t list = page.find("<details class=\"fold\">");

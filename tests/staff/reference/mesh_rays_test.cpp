@@ -81,13 +81,19 @@ TEST(MeshRays, FindTheSameHitsAsBruteForce) {
         const Ray ray{point(), point()};
         const double end = i % 2 ? 0.5 : 4;
         size_t found = 0, all = 0;
+        double first = INFINITY, first_front = INFINITY;
         each_hit(tree, mesh, ray, end, [&](const MeshHit&) { ++found; });
         for (size_t k = 0; k < mesh.indices.size(); k += 3) {
             const auto at = [&](size_t corner) { return glm::dvec3(mesh.vertices[mesh.indices[k + corner]].position); };
             const glm::dvec4 hit = triangle_hit(ray, axes_of(ray.direction), at(0), at(1), at(2));
-            all += hit.w != 0 && hit.x >= 0 && hit.x <= end;
+            if (hit.w == 0 || hit.x < 0 || hit.x > end) continue;
+            ++all, first = std::min(first, hit.x);
+            if (hit.w > 0) first_front = std::min(first_front, hit.x);
         }
         EXPECT_EQ(found, all);
+        const auto distance = [](const std::optional<MeshHit>& hit) { return hit ? hit->t : INFINITY; };
+        EXPECT_EQ(distance(first_hit(tree, mesh, ray, end)), first);
+        EXPECT_EQ(distance(first_hit(tree, mesh, ray, end, true)), first_front);
         total += all;
     }
     EXPECT_GT(total, 300u);

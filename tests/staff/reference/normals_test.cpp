@@ -11,7 +11,7 @@ namespace relief {
 namespace {
 
 template <class Height>
-Image heights(int width, int height, Height at) {
+Image height_image(int width, int height, Height at) {
     Image image(width, height, 1);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) *image.pixel(x, y) = float(at(x, y));
@@ -31,7 +31,7 @@ const NormalOptions both_filters[] = {{.filter = SlopeFilter::central}, {.filter
 
 TEST(Normals, OfAFlatMapPointStraightUp) {
     for (const NormalOptions& options : both_filters) {
-        const Image normals = normals_from_heights(heights(3, 2, [](int, int) { return 0.7; }), options);
+        const Image normals = normals_from_heights(height_image(3, 2, [](int, int) { return 0.7; }), options);
         EXPECT_EQ(normals.channels, 3);
         EXPECT_EQ(normals.bits, 8);
         for (size_t i = 0; i < normals.pixel_count(); ++i) {
@@ -46,11 +46,11 @@ TEST(Normals, OfAFlatMapPointStraightUp) {
 TEST(Normals, OfASlopeOfOneLean45DegreesAgainstIt) {
     const float against = float(0.5 - 0.5 / std::numbers::sqrt2), up = float(0.5 + 0.5 / std::numbers::sqrt2);
     for (const NormalOptions& options : both_filters) {
-        const Image along_u = normals_from_heights(heights(5, 5, [](int x, int) { return x; }), options);
+        const Image along_u = normals_from_heights(height_image(5, 5, [](int x, int) { return x; }), options);
         EXPECT_FLOAT_EQ(along_u.pixel(2, 2)[0], against) << "heights rise to the right: red to the left";
         EXPECT_FLOAT_EQ(along_u.pixel(2, 2)[1], 0.5f);
         EXPECT_FLOAT_EQ(along_u.pixel(2, 2)[2], up);
-        const Image along_v = normals_from_heights(heights(5, 5, [](int, int y) { return -y; }), options);
+        const Image along_v = normals_from_heights(height_image(5, 5, [](int, int y) { return -y; }), options);
         EXPECT_FLOAT_EQ(along_v.pixel(2, 2)[0], 0.5f);
         EXPECT_FLOAT_EQ(along_v.pixel(2, 2)[1], against) << "heights rise upwards, to row 0: green down";
         EXPECT_FLOAT_EQ(along_v.pixel(2, 2)[2], up);
@@ -63,7 +63,7 @@ TEST(Normals, OfAPlaneAreExactWithBothFiltersAndAnyTexelShape) {
     std::uniform_real_distribution<double> slope(-0.1, 0.1), worth(0.5, 40);
     for (int i = 0; i < 100; ++i) {
         const double a = slope(random), b = slope(random);
-        const Image plane = heights(4, 4, [&](int x, int y) { return a * x - b * y; });
+        const Image plane = height_image(4, 4, [&](int x, int y) { return a * x - b * y; });
         for (NormalOptions options : both_filters) {
             options.texels_u = worth(random), options.texels_v = worth(random);
             // The heights are floats: 3e-8 each, times 40.
@@ -89,13 +89,13 @@ TEST(Normals, OfAnInfiniteSlopeLieFlatInItsDirection) {
 }
 
 TEST(Normals, AtTheBorderWrapOrUseSecondOrderOneSidedDifferences) {
-    const Image row = heights(4, 1, [](int x, int) { return x * x; });  // 0 1 4 9, of slopes 0 2 4 6
+    const Image row = height_image(4, 1, [](int x, int) { return x * x; });  // 0 1 4 9, of slopes 0 2 4 6
     const Image tile = normals_from_heights(row, {.wrap = true}), cut = normals_from_heights(row, {.wrap = false});
     expect_slopes(tile, 0, 0, (1.0 - 9.0) / 2, 0);
     expect_slopes(cut, 0, 0, 0, 0);
     expect_slopes(tile, 3, 0, (0.0 - 4.0) / 2, 0);
     expect_slopes(cut, 3, 0, 6, 0);
-    const Image column = heights(1, 4, [](int, int y) { return y * y; });
+    const Image column = height_image(1, 4, [](int, int y) { return y * y; });
     expect_slopes(normals_from_heights(column, {.wrap = true}), 0, 0, 0, (9.0 - 1.0) / 2);
     expect_slopes(normals_from_heights(column, {.wrap = false}), 0, 3, 0, -6);
 }
@@ -115,7 +115,7 @@ TEST(Normals, ConvergeInSecondOrder) {
     // On a sine tile with a known slope, half the texel size gives a quarter of the error.
     const auto largest_error = [](int size) {
         const double turn = 2 * std::numbers::pi / size;
-        const Image wave = heights(size, 1, [&](int x, int) { return std::sin(turn * x); });
+        const Image wave = height_image(size, 1, [&](int x, int) { return std::sin(turn * x); });
         const Image normals = normals_from_heights(wave, {.texels_u = 1 / turn});
         double largest = 0;
         for (int x = 0; x < size; ++x) {

@@ -1,0 +1,124 @@
+#include "framework/course/check/verdict.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
+
+namespace relief::check {
+namespace {
+
+constexpr const char* outcome_names[] = {"passed", "unproven", "waiting",     "wrong",         "unfinished",
+                                         "broken", "crashed",  "out_of_time", "out_of_memory", "machine"};
+
+/// "1.2", "1.2, 1.3 and 1.4"
+std::string names_of(const TaskIds& tasks) {
+    if (tasks.size() < 2) return fmt::format("{}", fmt::join(tasks, ""));
+    return fmt::format("{} and {}", fmt::join(tasks.begin(), tasks.end() - 1, ", "), tasks.back());
+}
+
+/// Returns points as sentences name them, with at most two decimals.
+std::string hundredths(double points) { return points_text(std::round(points * 100) / 100); }
+
+}  // namespace
+
+const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
+
+Outcome outcome_of(const std::string& name) {
+    for (int i = 0; i < int(std::size(outcome_names)); ++i)
+        if (name == outcome_names[i]) return Outcome(i);
+    throw Error("unknown outcome '" + name + "'");
+}
+
+bool has_failed(Outcome outcome) {
+    return outcome >= Outcome::wrong && outcome != Outcome::unfinished && outcome != Outcome::machine;
+}
+
+namespace {
+
+/// Returns the outcome of each share of a task's points, see TaskVerdict::points(). The last one is that of the task's
+/// words, if it has any: the worst outcome of their checks.
+std::vector<Outcome> shares_of(const TaskVerdict& task) {
+    std::vector<Outcome> shares;
+    std::optional<Outcome> words;
+    for (const Verdict& check : task.checks) {
+        if (check.of_words)
+            words = std::max(words.value_or(check.outcome), check.outcome);
+        else
+            shares.push_back(check.outcome);
+    }
+    if (words) shares.push_back(*words);
+    return shares;
+}
+
+/// Returns the points of the shares with this outcome.
+double points_of(const TaskVerdict& task, Outcome outcome) {
+    const std::vector<Outcome> shares = shares_of(task);
+    if (shares.empty()) return 0;
+    return task.of * double(std::count(shares.begin(), shares.end(), outcome)) / double(shares.size());
+}
+
+/// Returns "4.25 of 5 points", or the range of points that are still possible.
+std::string range_text(double least, double waiting, int of, const char* kind = "") {
+    const std::string most = waiting > 0 ? " to " + hundredths(least + waiting) : "";
+    return fmt::format("{}{} of {} {}points", hundredths(least), most, of, kind);
+}
+
+}  // namespace
+
+double TaskVerdict::points() const { return points_of(*this, Outcome::passed); }
+
+double TaskVerdict::waiting_points() const {
+    return points_of(*this, Outcome::waiting) + points_of(*this, Outcome::unproven);
+}
+
+TaskVerdict::Share TaskVerdict::share_of(const Verdict& check) const {
+    const std::vector<Outcome> shares = shares_of(*this);
+    const auto has_words = [](const Verdict& one) { return one.of_words; };
+    const auto words = std::count_if(checks.begin(), checks.end(), has_words);
+    const double most = double(of) / double(shares.size()) / (check.of_words ? double(words) : 1);
+    const Outcome outcome = check.of_words ? shares.back() : check.outcome;
+    return {outcome == Outcome::passed ? most : 0, most};
+}
+
+TaskVerdict unjudged(const TaskInfo& task) {
+    return {.id = task.id, .title = task.title, .file = task.file, .of = task.points};
+}
+
+std::string points_text(const TaskVerdict& task) {
+    std::set<std::string> others;
+    for (const Verdict& check : task.checks) others.insert(check.waits_for.begin(), check.waits_for.end());
+    const double waiting = task.waiting_points();
+    const std::string range = range_text(task.points(), waiting, task.of);
+    if (others.empty()) return range;
+    const std::string points = hundredths(points_of(task, Outcome::waiting));
+    return fmt::format("{}: {} {} for {}", range, points, points == "1" ? "waits" : "wait",
+                       names_of({others.begin(), others.end()}));
+}
+
+std::string points_text(const std::vector<TaskVerdict>& tasks) {
+    double points = 0, waiting = 0;
+    int of = 0, hidden = 0;
+    for (const TaskVerdict& task : tasks) {
+        points += task.points(), waiting += task.waiting_points(), of += task.of;
+        hidden += task.hidden_checks;
+    }
+    if (hidden == 0) return range_text(points, waiting, of);
+    return fmt::format("{}; {} more check{} the rest when it is graded", range_text(points, waiting, of, "public "),
+                       hidden, hidden == 1 ? " decides" : "s decide");
+}
+
+std::string waits_text(const TaskIds& tasks, const char* state) {
+    return fmt::format("waits for {} {}, which {} not {} yet", tasks.size() > 1 ? "tasks" : "task", names_of(tasks),
+                       tasks.size() > 1 ? "are" : "is", state);
+}
+
+std::string points_text(double points) { return rounded(points, 4); }
+
+}  // namespace relief::check
