@@ -132,9 +132,6 @@ private:
                            counts.define(method.count), fmt::format("REFINE {}", method.refine)});
         glUseProgram(program);
         surface_.set(program, frame);
-        program.set("s_bounds", 3, bounds_.get({surface_.version()}, [this] {
-            return Texture("bounds", [this] { return min_max_atlas(surface_.heights()); }, {.mips = false});
-        }));
         program.set("u_to_light", light_.direction());
         program.set("u_steps", method.steps);
         program.set("u_min_steps", method.least_steps);
@@ -142,6 +139,10 @@ private:
         program.set("u_rounds", method.rounds);
         program.set("u_level_bias", level_bias);
         program.set("u_skip", skip_);
+        if (skip_)
+            program.set("s_bounds", 3, bounds_.get({surface_.version()}, [this] {
+                return Texture("bounds", [this] { return min_max_atlas(surface_.heights()); }, {.mips = false});
+            }));
         program.set("u_decal", decal_ ? 0.9f : 0.0f);
         surface_.set_exact_hit(program, 4);
         return program;
