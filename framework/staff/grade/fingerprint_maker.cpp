@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include "framework/core/base/descriptor.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
@@ -195,10 +199,15 @@ void add_fingerprints(check::Fingerprints& result, const Manifest& manifest, con
 
 std::string public_fingerprints(const LabEntry& lab, const std::function<void(const std::string& mistake)>& begins) {
     const fs::path kept = check::fingerprints_file(lab);
+    const fs::path folder = kept.parent_path();
+    std::error_code none;  // an installed course cannot be written: then they are drawn each time
+    fs::create_directories(folder, none);
+    // Several processes that need them at once draw them once.
+    const Descriptor lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    flock(lock, LOCK_EX);
     MistakePictures pictures(lab, {.threads = 0, .pinned = true});
     Manifest manifest = pictures.manifest();
     std::erase_if(manifest.checks, [](const CheckInfo& check) { return check.hidden; });
-    std::error_code none;
     if (const auto made = fs::last_write_time(kept, none); !none && made > newest_input(lab)) return read_file(kept);
     if (!is_software_renderer())
         throw Error("fingerprints are made on Mesa's software renderer, as checks are drawn; this is " +
@@ -222,9 +231,8 @@ std::string public_fingerprints(const LabEntry& lab, const std::function<void(co
     }
     const std::string text = check::text_of(result, manifest);
     try {
-        make_folder(kept.parent_path());
         write_file(kept, text);
-    } catch (const Error&) {  // an installed course cannot be written: then they are drawn each time
+    } catch (const Error&) {  // see above
     }
     return text;
 }
