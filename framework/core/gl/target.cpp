@@ -39,9 +39,17 @@ std::vector<ShaderSource> resolving(int samples) {
     return {vertex, fragment};
 }
 
+/// Returns the program that averages samples. All targets that live share it.
+std::shared_ptr<const Program> resolving_program(int samples) {
+    static std::weak_ptr<const Program> living;
+    std::shared_ptr<const Program> program = living.lock();
+    if (!program) living = program = std::make_shared<const Program>(resolving(samples));
+    return program;
+}
+
 }  // namespace
 
-Target::Samples::Samples(int count) : resolve(resolving(count)) {}
+Target::Samples::Samples(int count) : resolve(resolving_program(count)) {}
 
 Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
     const GLenum format = kind == TargetKind::picture ? GL_RGBA8 : GL_RGBA32F;
@@ -91,7 +99,7 @@ GLuint Target::resolve() const {
     glBindFramebuffer(GL_FRAMEBUFFER, samples_->framebuffer);
     glViewport(0, 0, size_.x, size_.y);
     for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST}) glDisable(capability);
-    glUseProgram(samples_->resolve);
+    glUseProgram(*samples_->resolve);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_->color);
     glBindVertexArray(samples_->nothing);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 
 #include "framework/core/gl/object.h"
@@ -45,7 +46,7 @@ private:
         TextureName color;
         FramebufferName framebuffer;  ///< holds the average of the samples
         RenderbufferName means;
-        Program resolve;
+        std::shared_ptr<const Program> resolve;
         VertexArrayName nothing;
         explicit Samples(int count);
     };

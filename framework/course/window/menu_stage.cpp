@@ -164,7 +164,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
         const TargetKind kind = shot_.probe ? TargetKind::probe : TargetKind::picture;
         if (!target_ || target_->size() != size || target_->kind() != kind) {
             shown_ = 0;
-            target_.emplace(kind, size);
+            target_ = Target(kind, size);  // made before the old one goes: they share a program
         }
         const WithoutWords without_words;
         draw_lab(*lab_, frame_of(shot_, *target_));

@@ -120,6 +120,13 @@ TEST(Target, AProbeHasOneSampleAndAPictureHasMore) {
     EXPECT_GT(samples(TargetKind::light), 1);
 }
 
+TEST(Target, AnotherPictureOfAnySizeLinksNoProgramWhileOneLives) {
+    const Target first(TargetKind::picture, {8, 8});
+    const int64_t links = counters().links;
+    const Target larger(TargetKind::picture, {16, 4}), light(TargetKind::light, {3, 3});
+    EXPECT_EQ(counters().links, links);
+}
+
 TEST(Target, DoesNotClampLight) {
     const Target target(TargetKind::light, {2, 2});
     fill(target, {0, 0}, {2, 2}, {12.5f, -2, 0.25f, 1});
