@@ -61,10 +61,12 @@ std::string mistake(const std::string& file, const std::string& include) {
     if (from.starts_with("core/") && !to.starts_with("core/")) return "the core includes nothing else";
     if (is_the_staffs(to) && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
     if (from.starts_with("labs")) {
-        if (to == "core/lab" && include != "framework/core/lab/lab.h") return "of that room a lab includes lab.h alone";
+        if (to == "core/lab" && include != "framework/core/lab/lab.h" && !file.ends_with("/staff/bench.cpp"))
+            return "of that room a lab includes lab.h alone";
         const bool core = to.starts_with("core/") && to != "core/context";
-        return core || (from == "labs/staff" && to == "staff/reference") ? ""
-                                                                         : "a lab includes the core without contexts";
+        if (core || (from == "labs/staff" && to == "staff/reference")) return "";
+        if (!file.ends_with("/staff/bench.cpp")) return "a lab includes the core without contexts";
+        return is_the_staffs(to) && floors.at(to) <= floors.at("staff/measure") ? "" : "a topic includes what its room may";
     }
     if (from.starts_with("assets"))
         return floors.at(to) < floors.at("core/gl") ? "" : "the textures are made without GL";
@@ -365,6 +367,10 @@ TEST(Arrows, FindAPlantedUpwardInclude) {
         {"labs/07_baking/lab.cpp", "framework/staff/reference/march.h", false},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/reference/march.h", true},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/grade/marks.h", false},
+        {"labs/07_baking/staff/truth.cpp", "framework/staff/measure/topics.h", false},
+        {"labs/07_baking/staff/bench.cpp", "framework/staff/measure/topics.h", true},
+        {"labs/07_baking/staff/bench.cpp", "framework/staff/app/bench.h", false},
+        {"labs/07_baking/staff/bench.cpp", "framework/course/window/menu.h", false},
         {"labs/07_baking/lab.cpp", "framework/core/lab/manifest.h", false},
         {"labs/07_baking/lab.cpp", "framework/core/context/context.h", false},
         {"labs/07_baking/lab.cpp", "framework/course/window/menu.h", false},

@@ -28,7 +28,7 @@ endif()
 
 file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
   framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/synctest/*.cpp framework/staff/web/*.cpp
-  framework/staff/app/*.cpp)
+  framework/staff/app/*.cpp labs/*/staff/bench.cpp)
 list(FILTER staff_sources EXCLUDE REGEX "(grade/(libarchive|glib)|measure/peers_module)\\.cpp$")
 add_library(relief_staff SHARED ${staff_sources})
 set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
