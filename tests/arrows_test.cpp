@@ -66,7 +66,8 @@ std::string mistake(const std::string& file, const std::string& include) {
         const bool core = to.starts_with("core/") && to != "core/context";
         if (core || (from == "labs/staff" && to == "staff/reference")) return "";
         if (!file.ends_with("/staff/bench.cpp")) return "a lab includes the core without contexts";
-        return is_the_staffs(to) && floors.at(to) <= floors.at("staff/measure") ? "" : "a topic includes what its room may";
+        return is_the_staffs(to) && floors.at(to) <= floors.at("staff/measure") ? ""
+                                                                                : "a topic includes what its room may";
     }
     if (from.starts_with("assets"))
         return floors.at(to) < floors.at("core/gl") ? "" : "the textures are made without GL";
@@ -367,8 +368,8 @@ TEST(Arrows, FindAPlantedUpwardInclude) {
         {"labs/07_baking/lab.cpp", "framework/staff/reference/march.h", false},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/reference/march.h", true},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/grade/marks.h", false},
-        {"labs/07_baking/staff/truth.cpp", "framework/staff/measure/topics.h", false},
-        {"labs/07_baking/staff/bench.cpp", "framework/staff/measure/topics.h", true},
+        {"labs/07_baking/staff/truth.cpp", "framework/staff/measure/bench.h", false},
+        {"labs/07_baking/staff/bench.cpp", "framework/staff/measure/bench.h", true},
         {"labs/07_baking/staff/bench.cpp", "framework/staff/app/bench.h", false},
         {"labs/07_baking/staff/bench.cpp", "framework/course/window/menu.h", false},
         {"labs/07_baking/lab.cpp", "framework/core/lab/manifest.h", false},

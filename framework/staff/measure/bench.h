@@ -59,6 +59,9 @@ struct BenchMethod {
     bool peer = false;  ///< not from this course: another library, or commonly copied code
 };
 
+/// The size of pictures if the user names none, in pixels. With --quick, too.
+inline constexpr glm::ivec2 usual_size{512, 512};
+
 /// Methods that are compared with each other, in one panel of the topic's plot.
 struct BenchScene {
     BenchKnobs knobs = {};  ///< the parameters that the methods share: {"map", "bricks"}
@@ -88,7 +91,13 @@ struct BenchTopic {
     bool sweeps = false;                 ///< has no times: each subject has a `sweep`
     std::vector<std::string> labs = {};  ///< two digits each: the labs to which it belongs, if they are few
 };
-std::span<const BenchTopic> bench_topics();
+/// Returns all topics: those of labs by their first lab, then the others by name.
+const std::vector<BenchTopic>& bench_topics();
+
+/// Adds a topic; each file with a topic defines an object of this type.
+struct TopicRegistration {
+    explicit TopicRegistration(BenchTopic topic);
+};
 
 /// Keeps the methods that match all of `wanted`. Each entry is a knob of a scene or a method with the wanted values, or
 /// "method" with names of methods. Throws UsageError, which lists the choices, if no scene of the topic has the knob or

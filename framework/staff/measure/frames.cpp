@@ -1,7 +1,7 @@
 // Frames of each lab, with the cameras of the manifest and of its reference screenshots.
 #include "framework/core/lab/manifest.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -46,9 +46,7 @@ std::vector<BenchScene> frames_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic frames_topic() {
-    return {"frames", "a frame of each lab, and the error of its probe", "How long does a frame of each lab take?",
-            frames_scenes, true};
-}
+const TopicRegistration frames_topic({"frames", "a frame of each lab, and the error of its probe",
+                                      "How long does a frame of each lab take?", frames_scenes, true});
 
 }  // namespace relief::measure

@@ -9,7 +9,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/marks.h"
-#include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/bench.h"
 
 namespace relief::measure {
 namespace {
@@ -175,13 +175,7 @@ std::vector<BenchScene> grade_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic grade_topic() {
-    return {"grade",
-            "grading submissions, compared with a plain loop of build, draw, idiff",
-            "How long does a submission take to grade?",
-            grade_scenes,
-            false,
-            true};
-}
+const TopicRegistration grade_topic({"grade", "grading submissions, compared with a plain loop of build, draw, idiff",
+                                     "How long does a submission take to grade?", grade_scenes, false, true});
 
 }  // namespace relief::measure

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "framework/core/height/maps.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/edge_rays.h"
 #include "framework/staff/measure/peers.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/mesh_rays.h"
 
@@ -87,11 +87,10 @@ std::vector<BenchScene> intersection_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic intersection_topic() {
-    return {"intersection",
-            "the exact first hit in a 256² map, 20 texels deep, by degrees from the normal; and in a mesh of 129,792 "
-            "triangles",
-            "How long does an exact hit take, and what is given away by a quicker one?", intersection_scenes};
-}
+const TopicRegistration intersection_topic(
+    {"intersection",
+     "the exact first hit in a 256² map, 20 texels deep, by degrees from the normal; and in a mesh of 129,792 "
+     "triangles",
+     "How long does an exact hit take, and what is given away by a quicker one?", intersection_scenes});
 
 }  // namespace relief::measure

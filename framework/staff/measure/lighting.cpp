@@ -1,8 +1,8 @@
 // Lighting: the cost of each part, compiled in or left out, and the error of the shaded normal without it. The picture
 // is timed, with four samples per pixel.
 #include "framework/core/lab/manifest.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -93,9 +93,12 @@ std::vector<BenchScene> lighting_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic lighting_topic() {
-    return {"lighting", "parts of the shading, compiled in or left out, and the normal without them",
-            "What does each part of the shading cost?", lighting_scenes, true};
-}
+const TopicRegistration lighting_topic(
+    {.name = "lighting",
+     .help = "parts of the shading, compiled in or left out, and the normal without them",
+     .question = "What does each part of the shading cost?",
+     .scenes = lighting_scenes,
+     .draws = true,
+     .labs = {"01", "06"}});
 
 }  // namespace relief::measure

@@ -1,11 +1,11 @@
 // The limits of methods: their error as a function of the input's difficulty, compared with peers.
 #include "framework/staff/measure/stability.h"
+#include "framework/staff/measure/bench.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "framework/staff/measure/sweep.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 
@@ -61,15 +61,13 @@ std::vector<BenchScene> stability_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic stability_topic() {
-    return {.name = "stability",
-            .help =
-                "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
-                "tangents 1, formats 3, rays 5, rays against a mesh 7, layers 19)",
-            .question = "From where on is each method wrong?",
-            .scenes = stability_scenes,
-            .draws = true,
-            .sweeps = true};
-}
+const TopicRegistration stability_topic(
+    {.name = "stability",
+     .help = "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
+             "tangents 1, formats 3, rays 5, rays against a mesh 7, layers 19)",
+     .question = "From where on is each method wrong?",
+     .scenes = stability_scenes,
+     .draws = true,
+     .sweeps = true});
 
 }  // namespace relief::measure

@@ -15,7 +15,7 @@
 #include "framework/core/image/asset.h"
 #include "framework/core/image/file.h"
 #include "framework/staff/grade/stage.h"
-#include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/bench.h"
 
 namespace relief::measure {
 namespace {
@@ -133,13 +133,8 @@ std::vector<BenchScene> start_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic start_topic() {
-    return {"start",
-            "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
-            "How long does the first picture take?",
-            start_scenes,
-            false,
-            true};
-}
+const TopicRegistration start_topic(
+    {"start", "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
+     "How long does the first picture take?", start_scenes, false, true});
 
 }  // namespace relief::measure

@@ -1,10 +1,12 @@
 // Tangents of a million triangles: time by method and threads, and the error against dP/du.
+#include "framework/staff/measure/tangents.h"
+
 #include <cmath>
 #include <memory>
 
 #include "framework/core/base/parallel.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/peers.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
@@ -91,9 +93,10 @@ std::vector<BenchScene> tangents_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic tangents_topic() {
-    return {"tangents", "tangents of a million triangles; errors on a jittered torus of 4096",
-            "Which tangents are right, and how long do they take?", tangents_scenes};
-}
+const TopicRegistration tangents_topic({.name = "tangents",
+                                        .help = "tangents of a million triangles; errors on a jittered torus of 4096",
+                                        .question = "Which tangents are right, and how long do they take?",
+                                        .scenes = tangents_scenes,
+                                        .labs = {"05"}});
 
 }  // namespace relief::measure

@@ -4,7 +4,7 @@
 
 #include "framework/core/image/asset.h"
 #include "framework/core/image/bc1.h"
-#include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normal_codec.h"
@@ -176,10 +176,11 @@ std::vector<BenchScene> storage_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic storage_topic() {
-    return {"storage",
-            "normal-map formats on the CPU, in double precision: vectors of the upper hemisphere, and maps in blocks",
-            "What does a normal-map format cost in degrees, and what in time?", storage_scenes};
-}
+const TopicRegistration storage_topic(
+    {.name = "storage",
+     .help = "normal-map formats on the CPU, in double precision: vectors of the upper hemisphere, and maps in blocks",
+     .question = "What does a normal-map format cost in degrees, and what in time?",
+     .scenes = storage_scenes,
+     .labs = {"02"}});
 
 }  // namespace relief::measure

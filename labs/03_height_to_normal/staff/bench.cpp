@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "framework/core/base/parallel.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/peers.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/normals.h"
@@ -156,9 +156,11 @@ std::vector<BenchScene> normals_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic normals_topic() {
-    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1",
-            "Which filter turns heights into the best normals for its time?", normals_scenes};
-}
+const TopicRegistration normals_topic(
+    {.name = "normals",
+     .help = "height map to normal map; errors on waves of 16 texels with slopes up to 1",
+     .question = "Which filter turns heights into the best normals for its time?",
+     .scenes = normals_scenes,
+     .labs = {"03"}});
 
 }  // namespace relief::measure

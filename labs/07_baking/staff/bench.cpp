@@ -1,8 +1,8 @@
 // Baking: the time of a bake and the error of its map, by size, frame and triangles. Also the time of a frame with the
 // fine model, the coarse model, and the coarse model with its map.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -89,9 +89,11 @@ std::vector<BenchScene> baking_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic baking_topic() {
-    return {"baking", "bakes of lab 07's shell and frames of it: time against degrees",
-            "How fine must a baked map be, and how long does it take?", baking_scenes, true};
-}
+const TopicRegistration baking_topic({.name = "baking",
+                                      .help = "bakes of lab 07's shell and frames of it: time against degrees",
+                                      .question = "How fine must a baked map be, and how long does it take?",
+                                      .scenes = baking_scenes,
+                                      .draws = true,
+                                      .labs = {"07"}});
 
 }  // namespace relief::measure

@@ -8,8 +8,8 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/mesh/obj.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief::measure {
@@ -164,9 +164,12 @@ std::vector<BenchScene> materials_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic materials_topic() {
-    return {"materials", "programs, orders, masks and filters of lab 08, and a model of a million faces",
-            "What do programs, orders and filters of materials cost?", materials_scenes, true};
-}
+const TopicRegistration materials_topic(
+    {.name = "materials",
+     .help = "programs, orders, masks and filters of lab 08, and a model of a million faces",
+     .question = "What do programs, orders and filters of materials cost?",
+     .scenes = materials_scenes,
+     .draws = true,
+     .labs = {"08"}});
 
 }  // namespace relief::measure

@@ -1,7 +1,7 @@
 // A planet: the error and the time of its maps, by size and by formula; and frames by levels and culling.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -90,9 +90,12 @@ std::vector<BenchScene> planet_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic planet_topic() {
-    return {"planet", "maps of lab 09's planet by formula and size, in degrees against time; frames by levels",
-            "Which normals does a planet need?", planet_scenes, true};
-}
+const TopicRegistration planet_topic(
+    {.name = "planet",
+     .help = "maps of lab 09's planet by formula and size, in degrees against time; frames by levels",
+     .question = "Which normals does a planet need?",
+     .scenes = planet_scenes,
+     .draws = true,
+     .labs = {"09"}});
 
 }  // namespace relief::measure

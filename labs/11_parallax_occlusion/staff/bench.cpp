@@ -7,8 +7,8 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/grade/overlay.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -125,9 +125,12 @@ std::vector<BenchScene> parallax_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic parallax_topic() {
-    return {"parallax", "searches of a relief; taps are heights read, visits cells or blocks looked at",
-            "Which search finds the relief soonest, and how far off is it?", parallax_scenes, true};
-}
+const TopicRegistration parallax_topic(
+    {.name = "parallax",
+     .help = "searches of a relief; taps are heights read, visits cells or blocks looked at",
+     .question = "Which search finds the relief soonest, and how far off is it?",
+     .scenes = parallax_scenes,
+     .draws = true,
+     .labs = {"10", "11", "12"}});
 
 }  // namespace relief::measure

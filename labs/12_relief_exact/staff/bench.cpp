@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <memory>
 
-#include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/reference/terminator.h"
 
 namespace relief::measure {
@@ -144,9 +144,11 @@ std::vector<BenchScene> terminator_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic terminator_topic() {
-    return {"terminator", "light of a normal map under a low lamp, against the relief with its own shadow",
-            "How much light does a normal map invent?", terminator_scenes};
-}
+const TopicRegistration terminator_topic(
+    {.name = "terminator",
+     .help = "light of a normal map under a low lamp, against the relief with its own shadow",
+     .question = "How much light does a normal map invent?",
+     .scenes = terminator_scenes,
+     .labs = {"12"}});
 
 }  // namespace relief::measure

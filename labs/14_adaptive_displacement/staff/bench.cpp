@@ -12,9 +12,9 @@
 #include "framework/core/gl/program.h"
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/stability.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/patches.h"
 
 namespace relief::measure {
@@ -327,11 +327,13 @@ std::vector<double> ground_pixels_off(const BenchKnobs& knobs) {
     return ground.off(render_shot(*make_lab(find_lab("14"), shot), shot));
 }
 
-BenchTopic displacement_topic() {
-    return {"displacement",
-            "levels of tessellation; a tenth of a ground culled; spacings, wrong: apart from the "
-            "true outline",
-            "How fine must triangles be to show a relief?", displacement_scenes, true};
-}
+const TopicRegistration displacement_topic(
+    {.name = "displacement",
+     .help = "levels of tessellation; a tenth of a ground culled; spacings, wrong: apart from the "
+             "true outline",
+     .question = "How fine must triangles be to show a relief?",
+     .scenes = displacement_scenes,
+     .draws = true,
+     .labs = {"13", "14"}});
 
 }  // namespace relief::measure

@@ -1,8 +1,8 @@
 // Ocean: the time and the error of a frame of lab 15. Normals by the rules by which shaders combine two maps, and the
 // light of a far sea by the wave statistics that a pixel uses.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -93,9 +93,12 @@ std::vector<BenchScene> ocean_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic ocean_topic() {
-    return {"ocean", "normals of two maps, and the light of a far sea, in lab 15: time against error",
-            "How right can a far sea glitter, and at what price?", ocean_scenes, true};
-}
+const TopicRegistration ocean_topic(
+    {.name = "ocean",
+     .help = "normals of two maps, and the light of a far sea, in lab 15: time against error",
+     .question = "How right can a far sea glitter, and at what price?",
+     .scenes = ocean_scenes,
+     .draws = true,
+     .labs = {"15"}});
 
 }  // namespace relief::measure

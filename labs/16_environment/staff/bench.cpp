@@ -1,8 +1,8 @@
 // Environment: the time of a frame of lab 16 with and without each of its terms. The errors of shadows by bias and map
 // size, of occlusion by slices and taps, and of blurred mirror images.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -86,9 +86,12 @@ std::vector<BenchScene> environment_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic environment_topic() {
-    return {"environment", "terms of the light in lab 16, and what hides them: time against error",
-            "What do light and shadow of a bumped surface cost, and how right are they?", environment_scenes, true};
-}
+const TopicRegistration environment_topic(
+    {.name = "environment",
+     .help = "terms of the light in lab 16, and what hides them: time against error",
+     .question = "What do light and shadow of a bumped surface cost, and how right are they?",
+     .scenes = environment_scenes,
+     .draws = true,
+     .labs = {"16"}});
 
 }  // namespace relief::measure

@@ -7,8 +7,8 @@
 
 #include "framework/core/kit/relief_material.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/least_move.h"
 
 namespace relief::measure {
@@ -99,9 +99,12 @@ std::vector<BenchScene> budget_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic budget_topic() {
-    return {"budget", "lab 17's wall within a budget of pixels; taps are heights read per pixel",
-            "Which method keeps a budget of pixels in the least time?", budget_scenes, true};
-}
+const TopicRegistration budget_topic(
+    {.name = "budget",
+     .help = "lab 17's wall within a budget of pixels; taps are heights read per pixel",
+     .question = "Which method keeps a budget of pixels in the least time?",
+     .scenes = budget_scenes,
+     .draws = true,
+     .labs = {"17"}});
 
 }  // namespace relief::measure

@@ -1,8 +1,8 @@
 // Moving frames: normals of a skin by the methods of engines and with the gradient of its weights. Error in degrees
 // over the whole skin against the time of a frame. Also a flock, by its bodies and triangles.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -90,9 +90,12 @@ std::vector<BenchScene> moving_frames_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic moving_frames_topic() {
-    return {"moving-frames", "normals of lab 18's skin, in degrees against time; its flock by bodies and triangles",
-            "Which normals does a bent skin need?", moving_frames_scenes, true};
-}
+const TopicRegistration moving_frames_topic(
+    {.name = "moving-frames",
+     .help = "normals of lab 18's skin, in degrees against time; its flock by bodies and triangles",
+     .question = "Which normals does a bent skin need?",
+     .scenes = moving_frames_scenes,
+     .draws = true,
+     .labs = {"18"}});
 
 }  // namespace relief::measure

@@ -1,8 +1,8 @@
 // Layered normals: blends of two normals, in degrees by three questions; mappings by three planes; highlights of a far
 // wall. The picture of lab 19 is timed.
+#include "framework/staff/measure/bench.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
-#include "framework/staff/measure/topics.h"
 
 namespace relief::measure {
 namespace {
@@ -88,10 +88,12 @@ std::vector<BenchScene> layers_scenes(const BenchSettings& settings) {
 
 }  // namespace
 
-BenchTopic layers_topic() {
-    return {"layers",
-            "lab 19: blends of two normals by the question that they answer, mappings by three planes, far highlights",
-            "Which blend of two normals is right?", layers_scenes, true};
-}
+const TopicRegistration layers_topic(
+    {.name = "layers",
+     .help = "lab 19: blends of two normals by the question that they answer, mappings by three planes, far highlights",
+     .question = "Which blend of two normals is right?",
+     .scenes = layers_scenes,
+     .draws = true,
+     .labs = {"19"}});
 
 }  // namespace relief::measure
