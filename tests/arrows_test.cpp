@@ -19,11 +19,13 @@ using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
 const std::map<std::string, int> floors = {
-    {"core/base", 0},     {"core/image", 1},     {"core/mesh", 1},    {"core/height", 2},    {"staff/reference", 3},
-    {"core/gl", 4},       {"core/context", 5},   {"core/lab", 6},     {"core/kit", 7},       {"course/inspect", 8},
-    {"course/check", 8},  {"staff/handout", 10}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10},
-    {"course/web", 9},    {"course/pages", 10},  {"staff/pages", 11}, {"staff/web", 11},     {"course/window", 11},
-    {"staff/slides", 11}, {"course/app", 12},    {"staff/app", 13}};
+    {"core/base", 0},       {"core/image", 1},      {"core/mesh", 1},        {"core/height", 2},
+    {"staff/reference", 3}, {"core/gl", 4},         {"core/context", 5},     {"core/lab", 6},
+    {"core/kit", 7},        {"course/inspect", 8},  {"course/check", 8},     {"course/web", 9},
+    {"staff/grade", 9},     {"course/pages", 10},   {"staff/class", 10},     {"staff/handout", 11},
+    {"staff/measure", 11},  {"staff/synctest", 11}, {"staff/questions", 11}, {"staff/originality", 11},
+    {"staff/cluster", 11},  {"course/window", 11},  {"staff/pages", 12},     {"staff/web", 12},
+    {"staff/slides", 12},   {"course/app", 12},     {"staff/app", 13}};
 
 /// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {

@@ -26,10 +26,8 @@ if(NOT libseccomp_FOUND OR NOT libarchive_FOUND OR NOT glib_FOUND)
   return()
 endif()
 
-file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
-  framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/synctest/*.cpp framework/staff/web/*.cpp
-  framework/staff/app/*.cpp labs/*/staff/bench.cpp)
-list(FILTER staff_sources EXCLUDE REGEX "(grade/(libarchive|glib)|measure/peers_module)\\.cpp$")
+file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/*/*.cpp labs/*/staff/bench.cpp)
+list(FILTER staff_sources EXCLUDE REGEX "(staff/reference/.*|grade/(libarchive|glib)|measure/peers_module)\\.cpp$")
 add_library(relief_staff SHARED ${staff_sources})
 set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
 target_link_libraries(relief_staff PUBLIC relief_truth

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/staff/grade/class.h"
-#include "framework/staff/grade/cluster.h"
-#include "framework/staff/grade/standing.h"
+#include "framework/staff/class/class.h"
+#include "framework/staff/class/standing.h"
+#include "framework/staff/cluster/cluster.h"
 
 namespace relief::app {
 

@@ -9,8 +9,8 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/staff/app/grade.h"
-#include "framework/staff/grade/merge.h"
-#include "framework/staff/grade/slurm.h"
+#include "framework/staff/class/merge.h"
+#include "framework/staff/cluster/slurm.h"
 #include "framework/staff/grade/strangers_text.h"
 #include "framework/staff/pages/summaries.h"
 

@@ -16,11 +16,11 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
-#include "framework/staff/grade/authorship.h"
-#include "framework/staff/grade/class.h"
-#include "framework/staff/grade/questions.h"
+#include "framework/staff/class/authorship.h"
+#include "framework/staff/class/class.h"
 #include "framework/staff/pages/question_pages.h"
 #include "framework/staff/pages/summaries.h"
+#include "framework/staff/questions/questions.h"
 
 namespace relief::app {
 namespace {

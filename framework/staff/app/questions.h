@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/staff/class/class_file.h"
 #include "framework/staff/grade/check_views.h"
-#include "framework/staff/grade/class_file.h"
 
 namespace relief::app {
 

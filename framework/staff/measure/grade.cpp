@@ -7,7 +7,7 @@
 #include "framework/core/base/module.h"
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/paths.h"
-#include "framework/staff/grade/class.h"
+#include "framework/staff/class/class.h"
 #include "framework/staff/grade/marks.h"
 #include "framework/staff/measure/bench.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/staff/grade/exports.h"
+#include "framework/staff/class/exports.h"
 #include "framework/staff/grade/marks.h"
 
 namespace relief::pages {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "framework/staff/grade/class.h"
-#include "framework/staff/grade/standing.h"
+#include "framework/staff/class/class.h"
+#include "framework/staff/class/standing.h"
 
 namespace relief::pages {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/staff/grade/originality.h"
+#include "framework/staff/originality/originality.h"
 
 namespace relief::pages {
 

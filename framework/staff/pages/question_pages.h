@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/staff/grade/questions.h"
+#include "framework/staff/questions/questions.h"
 
 namespace relief::pages {
 

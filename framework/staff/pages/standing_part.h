@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "framework/staff/grade/standing.h"
+#include "framework/staff/class/standing.h"
 #include "framework/staff/pages/student_page.h"
 
 namespace relief::pages {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "framework/staff/grade/class.h"
-#include "framework/staff/grade/standing.h"
+#include "framework/staff/class/class.h"
+#include "framework/staff/class/standing.h"
 #include "framework/staff/pages/student_page.h"
 
 namespace relief::pages {

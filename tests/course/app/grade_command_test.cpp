@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/file.h"
-#include "framework/staff/grade/merge.h"
-#include "framework/staff/grade/progress.h"
+#include "framework/staff/class/merge.h"
+#include "framework/staff/class/progress.h"
 #include "tests/process.h"
 #include "tests/support.h"
 

@@ -27,7 +27,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
-#include "framework/staff/grade/csv.h"
+#include "framework/staff/class/csv.h"
 #include "framework/staff/measure/drawing.h"
 #include "tests/process.h"
 #include "tests/support.h"

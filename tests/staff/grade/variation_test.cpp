@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "framework/core/base/error.h"
+#include "framework/staff/class/roster.h"
 #include "framework/staff/grade/check_views.h"
-#include "framework/staff/grade/roster.h"
 #include "tests/support.h"
 
 namespace relief::grade {
