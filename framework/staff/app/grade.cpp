@@ -309,11 +309,8 @@ int grade_on_slurm(const GradeArguments& arguments, grade::ClassOptions& options
         throw UsageError(
             "--slurm takes no --seed, which everybody on this machine can read in the list of processes: set "
             "RELIEF_SEED, or leave the seed to chance");
-    const std::optional<grade::LastJob> now = grade::this_last_job();
-    options.keep_roster = now.has_value();
-    if (!now) require_slurm(parts);
+    require_slurm(parts);
     name_submissions(arguments, options);
-    if (now) return end_class(options, *now);
     make_results_folder(options.output);
     prepare_class_file(arguments, options.output, {}, options.labs);
     return start_class(options, parts, arguments.jobs.empty() ? 0 : options.jobs, words_for_jobs(arguments));

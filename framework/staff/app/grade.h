@@ -26,9 +26,6 @@ void require_slurm(int parts);
 /// Throws Error if jobs of an earlier start are still running.
 int start_class(const grade::ClassOptions& options, int parts, int processors, const std::vector<std::string>& words);
 
-/// Runs in the last job: sends parts again, or grades submissions without a result and writes the report.
-int end_class(const grade::ClassOptions& options, const grade::LastJob& now);
-
 /// Prints the progress of the class in `folder`, for a person or, as JSON, for a script.
 int print_status(const std::filesystem::path& folder, bool json);
 

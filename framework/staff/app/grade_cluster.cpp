@@ -6,13 +6,10 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
-#include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/staff/app/grade.h"
-#include "framework/staff/class/merge.h"
 #include "framework/staff/cluster/slurm.h"
 #include "framework/staff/grade/strangers_text.h"
-#include "framework/staff/pages/summaries.h"
 
 namespace relief::app {
 namespace {
@@ -21,21 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* report_file = "report.html";
 
-/// Returns the report of the submissions that have a result.
-grade::ClassReport report_so_far(const fs::path& folder) {
-    grade::ClassProgress progress = grade::read_progress(folder);
-    std::vector<std::string> lost = progress.without_result();
-    const std::string seed = progress.roster.seed;
-    grade::ClassReport report = grade::report_of(seed, std::move(progress).take_marks());
-    report.lost = std::move(lost);
-    return report;
-}
-
 void print_part(const grade::PartState& part) {
     std::string text = part.state;
     if (part.state == "runs") text = "runs on " + part.node;
     if (part.state == "failed") text = part.node.empty() ? "failed" : "failed on " + part.node;
-    if (part.state == "unknown") text = part.node.empty() ? "not begun" : "began on " + part.node;
+    if (part.state == "unknown") text = "unknown, because squeue fails";
     if (!part.reason.empty() && part.reason != "None") text += fmt::format(" ({})", part.reason);
     if (!part.job.empty() && part.state != "done") text += ", job " + part.job;
     if (part.part > 0)
@@ -75,44 +62,9 @@ int start_class(const grade::ClassOptions& options, int parts, int processors, c
     fmt::print(
         "{0}: {1} submissions in {2} parts are job {3}, the report is job {4}; how far they are: relief grade "
         "--status {5}\n",
-        options.output.string(), options.submissions.size(), count, cluster.sent.front().job, cluster.sent.back().job,
+        options.output.string(), options.submissions.size(), count, cluster.parts_job, cluster.report_job,
         quoted_for_shell(options.output.string()));
     return 0;
-}
-
-int end_class(const grade::ClassOptions& options, const grade::LastJob& now) {
-    const fs::path& folder = options.output;
-    const Descriptor at_work = grade::hold_output(folder, grade::Hold::as_part);
-    try {
-        grade::send_substitute(folder, now);
-    } catch (const Error& error) {
-        print_note(error.what());
-    }
-    const grade::ClassProgress progress = grade::read_progress(folder);
-    const std::vector<std::string> lacking = progress.without_result();
-    for (const char* name : {"results", "students", "submissions"}) remove_unfinished_files(folder / name);
-    if (!lacking.empty() && now.sent <= grade::times_sent_again) try {
-            grade::send_again(folder, progress, now);
-            print_note(fmt::format("{} of {} submissions have no result: their parts are sent again ({} of {} times)",
-                                   lacking.size(), progress.marks.size(), now.sent, grade::times_sent_again));
-            return 0;
-        } catch (const Error& error) {  // on some clusters no job may send jobs
-            print_note(fmt::format("{}; so this job grades the rest", error.what()));
-        }
-    if (!lacking.empty()) {
-        // Write the summaries first: the cause that ended other jobs may end this one, too.
-        try {
-            const grade::ClassReport so_far = report_so_far(folder);
-            pages::write_summaries(so_far, folder);
-        } catch (const Error& error) {  // for example an adjustment for a student without a result
-            print_note(error.what());
-        }
-        grade::grade_class(options, pages_into(folder));
-    }
-    const grade::ClassReport report = report_so_far(folder);
-    const grade::ClassStanding standing = pages::write_summaries(report, folder);
-    if (report.lost.empty()) grade::note_end(folder);
-    return print_report(report, standing, folder, {});
 }
 
 int print_status(const fs::path& folder, bool json) {
@@ -121,7 +73,7 @@ int print_status(const fs::path& folder, bool json) {
     std::vector<grade::PartState> states;
     if (cluster) states = grade::part_states(folder, *cluster, progress);
     const std::vector<std::string> lacking = progress.without_result();
-    const bool has_report = cluster ? cluster->has_ended : fs::exists(folder / report_file);
+    const bool has_report = cluster ? cluster->has_report : fs::exists(folder / report_file);
     if (json) {
         nlohmann::ordered_json all = {{"submissions", progress.marks.size()},
                                       {"results", progress.results()},

@@ -123,20 +123,14 @@ ClassReport merge_class(const fs::path& folder) {
         read_results(part, manifests, results);
     }
     refuse_incomplete(roster, results);
-    std::vector<SubmissionMark> marks;
-    for (const Roster::One& one : roster.submissions) marks.push_back(std::move(results.at(one.name).front()));
-    return report_of(roster.seed, std::move(marks));
-}
-
-ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks) {
     ClassReport report;
-    report.seed = seed;
+    report.seed = roster.seed;
     report.isolation.level = Isolation::namespaces;
-    for (SubmissionMark& mark : marks) {
+    for (const Roster::One& one : roster.submissions) {
+        SubmissionMark& mark = report.marks.emplace_back(std::move(results.at(one.name).front()));
         for (const LabMark& lab : mark.labs) report.times.add(lab.times);
         if (mark.isolation == name_of(Isolation::limits)) report.isolation = {Isolation::limits, "in a part of it"};
         report.seconds += mark.seconds;
-        report.marks.push_back(std::move(mark));
     }
     return report;
 }

@@ -16,7 +16,4 @@ std::vector<std::filesystem::path> class_parts(const std::filesystem::path& fold
 /// one result, and all results have the same files, course and seed.
 ClassReport merge_class(const std::filesystem::path& folder);
 
-/// Returns the report of a class from its results alone.
-ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks);
-
 }  // namespace relief::grade

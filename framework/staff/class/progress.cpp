@@ -41,13 +41,6 @@ std::vector<std::string> ClassProgress::without_result() const {
     return names;
 }
 
-std::vector<SubmissionMark> ClassProgress::take_marks() && {
-    std::vector<SubmissionMark> all;
-    for (auto& mark : marks)
-        if (mark) all.push_back(std::move(*mark));
-    return all;
-}
-
 ClassProgress read_progress(const fs::path& folder) {
     const std::vector<fs::path> parts = class_parts(folder);
     ClassProgress progress{.roster = read_roster(parts.front()).value(), .marks = {}};

@@ -25,7 +25,6 @@ struct ClassProgress {
 
     size_t results() const;
     std::vector<std::string> without_result() const;
-    std::vector<SubmissionMark> take_marks() &&;
 };
 
 /// Reads the progress of a class in `folder`, or in its subfolders (parts). Throws UsageError if there is no class.

@@ -100,17 +100,4 @@ std::optional<std::vector<QueuedJob>> queued_jobs() {
     return jobs;
 }
 
-std::optional<std::set<std::string>> usable_nodes(const std::string& partition) {
-    Words command = {"sinfo", "--noheader", "--Node", "--format=%N|%T"};
-    if (!partition.empty()) command.push_back("--partition=" + partition);
-    const auto rows = table_from(command);
-    if (!rows) return {};
-    const std::set<std::string> good = {"idle", "mixed", "allocated", "completing"};  // "idle*" is a node that does not
-                                                                                      // respond
-    std::set<std::string> nodes;
-    for (const Words& row : *rows)
-        if (row.size() == 2 && good.contains(row[1])) nodes.insert(row[0]);
-    return nodes;
-}
-
 }  // namespace relief::grade

@@ -1,8 +1,7 @@
-// Slurm, through its commands: sbatch, squeue, sinfo.
+// Slurm, through its commands: sbatch and squeue.
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -34,9 +33,5 @@ struct QueuedJob {
 };
 /// Returns this user's jobs; nothing if squeue fails.
 std::optional<std::vector<QueuedJob>> queued_jobs();
-
-/// Returns the nodes of a partition (empty: of all) that can run jobs now or later without an administrator's help.
-/// Returns nothing if sinfo fails.
-std::optional<std::set<std::string>> usable_nodes(const std::string& partition);
 
 }  // namespace relief::grade

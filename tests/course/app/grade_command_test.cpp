@@ -1,5 +1,4 @@
-// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands. Nothing is
-// drawn.
+// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands.
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/file.h"
@@ -29,7 +28,6 @@ protected:
         }
         tool("sbatch", "echo \"$*\" >>calls; echo $(($(wc -l <calls) + 10))");
         tool("squeue", "cat queue");
-        tool("sinfo", "echo 'g1|idle'; echo 'g2|idle'");
         folder_.write("queue", "");
     }
     void tool(const std::string& name, const std::string& body) const {
@@ -49,10 +47,9 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return grade(words);
     }
-    /// Like the script last.sh.
-    Result last_job(const std::string& sent) const {
-        return grade({"--resume", "-o", "marks", "--slurm", "2"},
-                     {{"RELIEF_SENT", sent}, {"RELIEF_ATTEMPT", "1"}, {"SLURM_JOB_ID", "12"}, {"RELIEF_SEED", ""}});
+    Result last_job() const {
+        return run({"/bin/bash", (marks_ / "slurm/last.sh").string()},
+                   {.folder = folder_.path(), .environment = {{"SLURM_JOB_ID", "12"}, {"RELIEF_SEED", ""}}});
     }
     std::string calls() const {
         const fs::path file = folder_.path() / "calls";
@@ -88,7 +85,7 @@ TEST_F(GradeCommand, SubmitsAClassWithItsRosterAndKeepsTheSeedPrivate) {
                          "marks: 3 submissions in 2 parts are job 11, the report is job 12; how far they are: "
                          "relief grade --status 'marks'\n"))
         << result.out;
-    EXPECT_TRUE(contains(calls(), " --cpus-per-task=3 --array=1,2 ")) << calls();
+    EXPECT_TRUE(contains(calls(), " --cpus-per-task=3 --array=1-2 ")) << calls();
     EXPECT_TRUE(contains(read_file(marks_ / "slurm/part.sh"), "'--trust'"));
     EXPECT_EQ(json::parse(read_file(marks_ / "class.json"))["seed"], "secret");
     EXPECT_EQ(fs::status(marks_ / "class.json").permissions(), fs::perms(0600));
@@ -124,7 +121,7 @@ TEST_F(GradeCommand, ValidResultsAreKeptAndStaleOnesRemovedBeforeSubmission) {
 TEST_F(GradeCommand, TheLastJobWritesTheReportWhenAllResultsAreThere) {
     ASSERT_EQ(start().code, 0);
     for (const char* name : {"ann", "ben", "cem"}) give_result(name);
-    const Result last = last_job("1");
+    const Result last = last_job();
     EXPECT_EQ(last.code, 0) << last.err;
     EXPECT_TRUE(contains(read_file(marks_ / "results.csv"), "\ncem,"));
     EXPECT_FALSE(contains(read_file(marks_ / "report.html"), "secret"));
@@ -134,20 +131,12 @@ TEST_F(GradeCommand, TheLastJobWritesTheReportWhenAllResultsAreThere) {
               "report                done\nthe report: marks/report.html\n");
 }
 
-TEST_F(GradeCommand, TheLastJobResubmitsPartsWithoutResults) {
+TEST_F(GradeCommand, TheLastJobGradesWhatThePartsLeft) {
     ASSERT_EQ(start().code, 0);
     for (const char* name : {"ann", "cem"}) give_result(name);
-    folder_.write("marks/slurm/part-2.nodes", "g1\n");
-    fs::remove(folder_.path() / "calls");
-    const Result last = last_job("3");
-    EXPECT_EQ(last.code, 0) << last.err;
-    EXPECT_TRUE(contains(last.err, "1 of 3 submissions have no result: their parts are sent again (3 of 3 times)\n"))
-        << last.err;
-    EXPECT_TRUE(contains(calls(), " --array=2 --exclude=g1 ") && contains(calls(), "last.sh 4 1\n")) << calls();
-    EXPECT_FALSE(fs::exists(marks_ / "report.html"));
-
+    folder_.write("queue", "11|1|COMPLETED|g1|None\n11|2|FAILED|g1|NonZeroExitCode\n12|N/A|PENDING||Dependency\n");
     const Result status = grade({"--status", "marks"});
-    EXPECT_TRUE(contains(status.out, "\npart    2        0/1  failed on g1\n")) << status.out;
+    EXPECT_TRUE(contains(status.out, "\npart    2        0/1  failed on g1 (failed), job 11_2\n")) << status.out;
     EXPECT_TRUE(contains(status.out, "without a result: ben\n")) << status.out;
     const json all = json::parse(grade({"--status", "marks", "--json"}).out);
     EXPECT_EQ(all["submissions"], 3);
@@ -159,9 +148,14 @@ TEST_F(GradeCommand, TheLastJobResubmitsPartsWithoutResults) {
                                      {"results", 0},
                                      {"state", "failed"},
                                      {"node", "g1"},
-                                     {"job", ""},
-                                     {"reason", ""}}));
-    EXPECT_EQ(all["last_job"]["state"], "failed");
+                                     {"job", "11_2"},
+                                     {"reason", "failed"}}));
+    EXPECT_EQ(all["last_job"]["state"], "waits");
+
+    const Result last = last_job();
+    EXPECT_EQ(last.code, 0) << last.err;
+    EXPECT_TRUE(contains(last.out, "1 graded, 2 unchanged, 0 not graded")) << last.out;
+    EXPECT_TRUE(contains(read_file(marks_ / "results.csv"), "\nben,graded,"));
 }
 
 TEST_F(GradeCommand, WrongUseOfAClusterIsOneClearLine) {

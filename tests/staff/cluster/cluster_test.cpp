@@ -1,4 +1,4 @@
-// A class on a cluster, with stand-ins for Slurm's commands: submission, resubmission, and the output of --status.
+// A class on a cluster, with stand-ins for Slurm's commands: submission, and the output of --status.
 #include "framework/staff/cluster/cluster.h"
 
 #include <fmt/format.h>
@@ -125,19 +125,14 @@ protected:
     fs::path marks_ = folder_.path() / "a class's marks";
     Environment environment_{{{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"},
                               {"RELIEF_SEED", "secret"},
-                              {"SLURM_JOB_ID", ""},
-                              {"SLURM_JOB_PARTITION", ""},
-                              {"SLURM_RESTART_COUNT", ""},
-                              {"SLURMD_NODENAME", ""}}};
+                              {"SLURM_JOB_ID", ""}}};
 
     void SetUp() override {
         const std::string here = "cd '" + folder_.path().string() + "'\n";
         // Job numbers count up from 11.
         tool("sbatch", here + "echo \"$*\" >>calls; env >>environment; echo $(($(wc -l <calls) + 10))");
         tool("squeue", here + "cat queue");
-        tool("sinfo", here + "cat nodes");
         folder_.write("queue", "");
-        folder_.write("nodes", "g1|idle\ng2|mixed\ng3|allocated\ng4|down\ng5|idle*\n");
         fs::create_directories(marks_ / "results");
         Roster roster{.course = "c", .seed = "secret", .labs = {}, .submissions = {}};
         for (const char* name : {"ann", "ben", "cem", "dan", "eva", "fay"})
@@ -182,12 +177,12 @@ using Calls = std::vector<std::string>;
 
 TEST_F(ClusterTest, SubmitsAnArrayOfPartsAndALastJobAfterThem) {
     send_class(marks_, 3, 2, {"--trust"});
-    EXPECT_EQ(short_calls(), (Calls{"relief-part/part-%a.log --cpus-per-task=2 --array=1,2,3 part.sh",
-                                    "relief-report/last.log --cpus-per-task=2 --dependency=afterany:11 last.sh 1 1"}));
+    EXPECT_EQ(short_calls(), (Calls{"relief-part/part-%a.log --cpus-per-task=2 --array=1-3 part.sh",
+                                    "relief-report/last.log --cpus-per-task=2 --dependency=afterany:11 last.sh"}));
     const std::string marks = quoted_for_shell(marks_.string());
     for (const auto& [script, said] :
          {std::pair("part.sh", " grade --resume -o " + marks + " --shard \"$SLURM_ARRAY_TASK_ID/3\" '--trust'\n"),
-          std::pair("last.sh", " grade --resume -o " + marks + " --slurm 3 '--trust'\n")}) {
+          std::pair("last.sh", " grade --resume -o " + marks + " '--trust'\n")}) {
         const fs::path file = marks_ / "slurm" / script;
         EXPECT_TRUE(read_file(file).ends_with(said)) << read_file(file);
         EXPECT_EQ(run({"/bin/bash", "-n", file.string()}).code, 0) << script;
@@ -211,52 +206,6 @@ TEST_F(ClusterTest, AJobInheritsTheUsersVariablesButNotTheSubmittingJobs) {
     EXPECT_TRUE(contains(environment, "SLURM_CONF=/etc/x.conf\n") && contains(environment, "SBATCH_PARTITION=long\n"));
 }
 
-TEST_F(ClusterTest, PartsWithoutResultsAreResubmittedExcludingTheirNodes) {
-    send_class(marks_, 3, 0, {});
-    // Part 1: ann, dan; 2: ben, eva; 3: cem, fay. Part 2 is complete.
-    for (const char* name : {"ann", "ben", "eva"}) give_result(name);
-    folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
-    folder_.write("queue", "11|3|FAILED|g3|NonZeroExitCode\n");  // it could not even write the name of its node
-    fs::remove(folder_.path() / "calls");
-    send_again(marks_, read_progress(marks_), {.sent = 1, .attempt = 1});
-    EXPECT_EQ(short_calls(), (Calls{"relief-part/part-%a.log --array=1 --exclude=g1,g2 part.sh",
-                                    "relief-part/part-%a.log --array=3 --exclude=g3 part.sh",
-                                    "relief-report/last.log --dependency=afterany:11:12 last.sh 2 1"}));
-}
-
-TEST_F(ClusterTest, ANodeIsExcludedWhileAnotherCanRunThePart) {
-    send_class(marks_, 1, 0, {});
-    folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
-    for (const auto& [nodes, avoided] :
-         std::map<std::string, std::string>{{"g1|idle\ng2|idle\n", " --exclude=g1"},  // the last attempt's node
-                                            {"g1|idle\ng2|down\n", ""},               // no other node is up
-                                            {"g1|idle\ng2|idle*\ng3|drained\n", ""},  // no other node answers
-                                            {"g1|idle\ng2|idle\ng3|idle\n", " --exclude=g1,g2"}}) {
-        folder_.write("nodes", nodes);
-        fs::remove(folder_.path() / "calls");
-        send_again(marks_, read_progress(marks_), {});
-        EXPECT_EQ(short_calls().at(0), "relief-part/part-%a.log --array=1" + avoided + " part.sh") << nodes;
-    }
-    tool("sinfo", "exit 1");
-    fs::remove(folder_.path() / "calls");
-    send_again(marks_, read_progress(marks_), {});
-    EXPECT_EQ(short_calls().at(0), "relief-part/part-%a.log --array=1 --exclude=g1 part.sh")
-        << "nobody knows of others";
-}
-
-TEST_F(ClusterTest, AFailedLastJobIsReplacedOnAnotherNodeTwice) {
-    send_class(marks_, 3, 0, {});
-    fs::remove(folder_.path() / "calls");
-    const Environment job({{"SLURM_JOB_ID", "12"}, {"SLURMD_NODENAME", "g1"}});
-    send_substitute(marks_, {.sent = 2, .attempt = 1});
-    EXPECT_EQ(short_calls(), (Calls{"relief-report/last.log --dependency=afternotok:12 --kill-on-invalid-dep=yes "
-                                    "--exclude=g1 last.sh 2 2"}));
-    send_substitute(marks_, {.sent = 2, .attempt = 3});
-    const Environment again(Variables{{"SLURM_RESTART_COUNT", "1"}});
-    send_substitute(marks_, {.sent = 2, .attempt = 1});
-    EXPECT_EQ(calls().size(), 1u) << "the third is the last, and one that was begun again has its substitute";
-}
-
 TEST_F(ClusterTest, StatesComeFromResultsAndFromSlurm) {
     send_class(marks_, 3, 0, {});
     give_result("ann"), give_result("dan");
@@ -274,7 +223,7 @@ TEST_F(ClusterTest, StatesComeFromResultsAndFromSlurm) {
     EXPECT_EQ(states()[2], "3 0/2 failed g3 11_3 out of memory");
     EXPECT_EQ(states()[3], "0 0/0 runs g1 12 ");
 
-    note_end(marks_);
+    folder_.write("a class's marks/report.html", "");
     folder_.write("queue", "");
     EXPECT_EQ(states()[3], "0 0/0 done   ");
     EXPECT_TRUE(jobs_at_work(*read_cluster(marks_)).empty());
