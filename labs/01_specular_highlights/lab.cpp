@@ -46,9 +46,10 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("method", method_, methods, "source of the normal, or both side by side");
-        knobs.slider("wipe", wipe_, 0, 1, "for method = wipe: position of the border in the picture");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the lamp around the colonnade, degrees");
-        knobs.slider("light_height", light_height_, 0.1f, 5, "height of the lamp, metres");
+        knobs.slider("wipe", wipe_, 0, 1, KnobHelp("position of the border in the picture").only("method", {"wipe"}));
+        knobs.slider("light_yaw", light_yaw_, -180, 180,
+                     KnobHelp("direction of the lamp around the colonnade").in("degrees"));
+        knobs.slider("light_height", light_height_, 0.1f, 5, KnobHelp("height of the lamp").in("metres"));
         knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("terminator", terminator_, terminators.names,

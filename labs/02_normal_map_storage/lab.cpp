@@ -48,7 +48,7 @@ public:
                      "every format of a texel, one format, or a map: in blocks, in signed bytes, its channels, its "
                      "vectors");
         knobs.choice("format", format_, names,
-                     "for view = one: the format of the sphere, or of a map in blocks (bc...)");
+                     KnobHelp("the format of the sphere, or of a map in blocks (bc...)").only("view", {"one"}));
         knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
         knobs.choice("show", show_, shows.names, "the light, the error, or half of each");
         block_view_.knobs(knobs);

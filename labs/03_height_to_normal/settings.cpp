@@ -13,7 +13,7 @@ namespace relief::heights {
 void Settings::knobs(Knobs& knobs) {
     knobs.group("Picture");
     knobs.choice("view", view, views.names, "every filter, or one of them");
-    knobs.choice("filter", filter, filters.names, "for view = one: the filter of the wall");
+    knobs.choice("filter", filter, filters.names, KnobHelp("the filter of the wall").only("view", {"one"}));
     knobs.choice("show", show, shows.names,
                  "the lit relief, the error compared with the exact slope, or half of each; or what else heights give: "
                  "how open a place is to the sky, how glossy by its normals' spread");
@@ -33,8 +33,8 @@ void Settings::knobs(Knobs& knobs) {
     knobs.slider("coarse", map.coarse, 0, 3, "strength of detail of four texels");
     knobs.group("Wall and light");
     knobs.steps("repeat", repeat, 1, 4, "repeats of the map along each side of the wall: look for seams");
-    knobs.slider("light_yaw", light_yaw, -180, 180, "direction of the light around the wall, degrees");
-    knobs.slider("light_height", light_height, -2, 2, "height of the light, metres");
+    knobs.slider("light_yaw", light_yaw, -180, 180, KnobHelp("direction of the light around the wall").in("degrees"));
+    knobs.slider("light_height", light_height, -2, 2, KnobHelp("height of the light").in("metres"));
 }
 
 Image own_picture(Image picture) {

@@ -38,11 +38,13 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "every map, one of them, or baked light beside two of them");
-        knobs.choice("map", map_, maps.names, "for view = one: the map of the column");
-        knobs.slider("twist", twist_, -180, 180, "twist of the column from its foot to its top, degrees");
-        knobs.slider("rotate", rotate_, -180, 180, "rotation of the column about the vertical, degrees");
-        knobs.slider("translate", translate_, -1, 1, "movement of the column to the side, metres");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the column, degrees");
+        knobs.choice("map", map_, maps.names, KnobHelp("the map of the column").only("view", {"one"}));
+        knobs.slider("twist", twist_, -180, 180,
+                     KnobHelp("twist of the column from its foot to its top").in("degrees"));
+        knobs.slider("rotate", rotate_, -180, 180, KnobHelp("rotation of the column about the vertical").in("degrees"));
+        knobs.slider("translate", translate_, -1, 1, KnobHelp("movement of the column to the side").in("metres"));
+        knobs.slider("light_yaw", light_yaw_, -180, 180,
+                     KnobHelp("direction of the light around the column").in("degrees"));
         knobs.toggle("show_map", show_map_, "show the map in a corner");
     }
 

@@ -49,16 +49,17 @@ public:
         knobs.choice("view", view_, views.names,
                      "the methods side by side, or one of them, or ways to complete T and N to a frame");
         knobs.choice("method", method_, methods.names,
-                     "for view = one: source of the tangent; file: of a glTF file, else as analytic");
+                     KnobHelp("source of the tangent; file: of a glTF file, else as analytic").only("view", {"one"}));
         knobs.choice("frame", frame_, frame_kinds.names,
-                     "for view = frames: B by w and a cross product, averaged as T, the three made orthogonal in the "
-                     "shader, or a frame by the normal alone");
+                     KnobHelp("B by w and a cross product, averaged as T, the three made orthogonal in the "
+                              "shader, or a frame by the normal alone")
+                         .only("view", {"frames"}));
         knobs.choice_or_file("shape", shape_, own_, shapes.names, "shape with the bricks");
         knobs.choice("show", show_, shows.names,
                      "the light, the angle to the exact dP/du (frames: of B to dP/dv), or half of each");
         knobs.toggle("lines", lines_,
                      "draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none");
-        knobs.slider("line_length", line_length_, 2, 60, "length of the drawn axes, pixels");
+        knobs.slider("line_length", line_length_, 2, 60, KnobHelp("length of the drawn axes").in("pixels"));
         knobs.group("Mesh");
         knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
         knobs.steps("rows", rows_, 2, 64, "cells of the mesh from bottom to top");
@@ -66,7 +67,8 @@ public:
         knobs.slider("shear", shear_, -1, 1, "shear of the quad's texture: how much v grows along x");
         knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
         knobs.group("Light");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the shape, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180,
+                     KnobHelp("direction of the light around the shape").in("degrees"));
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {

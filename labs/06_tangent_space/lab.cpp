@@ -36,31 +36,40 @@ public:
         knobs.group("Picture");
         knobs.choice("view", view_, views,
                      "the right way and three mistakes, one picture by the knobs, or a cube that is turned");
-        knobs.choice_or_file("shape", shape_, own_mesh_, shapes,
-                             "for view = compare and one: shape of the model; the wall's left half is mirrored");
+        knobs.choice_or_file(
+            "shape", shape_, own_mesh_, shapes,
+            KnobHelp("shape of the model; the wall's left half is mirrored").only("view", {"compare", "one"}));
         knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
         knobs.choice_or_file("map", map_, own_, maps,
                              "the normal map: bricks, one flat texel, or that of a glTF model");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("light_in", light_in_, spaces, "space of the lighting");
-        knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
+        knobs.toggle("gram_schmidt", gram_schmidt_,
+                     KnobHelp("make each pixel's frame orthonormal").only("view", {"one"}));
         knobs.toggle("inverse_transpose", inverse_transpose_,
-                     "for view = one: transform normals by the inverse transpose");
+                     KnobHelp("transform normals by the inverse transpose").only("view", {"one"}));
         knobs.choice("order", order_, orders,
                      "the model's matrices multiplied first, or the normal transformed by one after the other");
-        knobs.toggle("turn_tangent", turn_tangent_, "for view = one: rotate the tangent with the texture");
-        knobs.slider("turn", turn_, -180, 180, "for view = compare and one: rotation of the texture, degrees");
+        knobs.toggle("turn_tangent", turn_tangent_,
+                     KnobHelp("rotate the tangent with the texture").only("view", {"one"}));
+        knobs.slider("turn", turn_, -180, 180,
+                     KnobHelp("rotation of the texture").in("degrees").only("view", {"compare", "one"}));
         knobs.group("Model");
-        knobs.slider("scale_x", scale_.x, -2, 2, "for view = compare and one: scale of the model along x");
-        knobs.slider("scale_y", scale_.y, -2, 2, "for view = compare and one: scale of the model along y");
-        knobs.slider("scale_z", scale_.z, -2, 2, "for view = compare and one: scale of the model along z");
-        knobs.steps("size", size_, -6, 6, "for view = compare and one: size of the model, a power of ten");
-        knobs.slider("rotate", rotate_, -180, 180, "rotation of the model about the vertical, degrees");
+        knobs.slider("scale_x", scale_.x, -2, 2,
+                     KnobHelp("scale of the model along x").only("view", {"compare", "one"}));
+        knobs.slider("scale_y", scale_.y, -2, 2,
+                     KnobHelp("scale of the model along y").only("view", {"compare", "one"}));
+        knobs.slider("scale_z", scale_.z, -2, 2,
+                     KnobHelp("scale of the model along z").only("view", {"compare", "one"}));
+        knobs.steps("size", size_, -6, 6,
+                    KnobHelp("size of the model, a power of ten").only("view", {"compare", "one"}));
+        knobs.slider("rotate", rotate_, -180, 180, KnobHelp("rotation of the model about the vertical").in("degrees"));
         knobs.group("Light");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_height", light_height_, -3, 3, "height of the light, metres");
-        knobs.slider("light_distance", light_distance_, 0, 5, "distance of the light from the axis, metres");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, KnobHelp("direction of the light").in("degrees"));
+        knobs.slider("light_height", light_height_, -3, 3, KnobHelp("height of the light").in("metres"));
+        knobs.slider("light_distance", light_distance_, 0, 5,
+                     KnobHelp("distance of the light from the axis").in("metres"));
         knobs.group("Faults");
         knobs.choice("trouble", trouble_, troubles.names, "faults in the tangents of the vertices");
     }

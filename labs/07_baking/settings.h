@@ -82,8 +82,9 @@ struct Settings {
                              "the model: an ammonite, one in a mirror, or a cube");
         knobs.choice_or_file("fine", fine, own.fine, fines.names, "the fine model of a file: the file itself");
         knobs.choice("wears", wears, wears_choices.names,
-                     "for view = one: the coarse model with its map, without, the fine one, or the map in its file");
-        knobs.slider("cut", cut, 0, 1, "for view = rays: where the cut is, in turns");
+                     KnobHelp("the coarse model with its map, without, the fine one, or the map in its file")
+                         .only("view", {"one"}));
+        knobs.slider("cut", cut, 0, 1, KnobHelp("where the cut is").in("turns").only("view", {"rays"}));
         knobs.group("Bake");
         knobs.choice("map", space, spaces.names, "space of the map's normals");
         knobs.choice("bake_frame", bake_frame, std::span(frames.names).first(bake_frames),
@@ -106,7 +107,7 @@ struct Settings {
         knobs.group("Map");
         knobs.choice("islands", islands, island_choices.names,
                      "strips of the map side by side, or two of them in one place");
-        knobs.choice("map_size", size, sizes, "side of the map, texels");
+        knobs.choice("map_size", size, sizes, KnobHelp("side of the map").in("texels"));
         knobs.choice("bits", bits, bit_counts, "bits of each channel of the map");
         knobs.steps("padding", padding, 0, 16, "texels by which the map goes on around its islands");
         knobs.choice("level", level, levels, "mip level of the map that is read");

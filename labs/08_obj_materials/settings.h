@@ -78,9 +78,11 @@ struct Settings {
         knobs.choice_or_file("file", file, own, files.names, "the model");
         knobs.choice("maps", maps, map_choices.names,
                      "read the maps that materials name; with and without them side by side; or without normals only");
-        knobs.toggle("normal_maps", switches.normals, "for maps = on, wipe and wipe-normals: read normals and heights");
-        knobs.toggle("specular_maps", switches.highlights, "for maps = on, wipe and wipe-normals: read highlights");
-        knobs.toggle("mask_maps", switches.masks, "for maps = on, wipe and wipe-normals: read masks");
+        knobs.toggle("normal_maps", switches.normals,
+                     KnobHelp("read normals and heights").only("maps", {"on", "wipe", "wipe-normals"}));
+        knobs.toggle("specular_maps", switches.highlights,
+                     KnobHelp("read highlights").only("maps", {"on", "wipe", "wipe-normals"}));
+        knobs.toggle("mask_maps", switches.masks, KnobHelp("read masks").only("maps", {"on", "wipe", "wipe-normals"}));
         knobs.choice("programs", program_kind, program_kinds.names,
                      "a program for each set of features, or one with branches");
         knobs.steps("highlight", highlight, 0, 12, "show this material alone in its light; 0: all");
@@ -90,13 +92,14 @@ struct Settings {
                      "order of the surfaces; weighted: glass in any order, blended by weights");
         knobs.choice("blend_in", blend_in, blend_spaces.names, "blend light, or the values that sRGB stores");
         knobs.choice("alpha", alpha, alphas.names, "what a mask does with a pixel");
-        knobs.slider("threshold", threshold, 0.05f, 0.95f, "for alpha = test: what is above it stays");
+        knobs.slider("threshold", threshold, 0.05f, 0.95f, KnobHelp("what is above it stays").only("alpha", {"test"}));
         knobs.slider("fence", fence, 0.5f, 8, "tiles of wire to one of the file's");
         knobs.group("Lantern");
         knobs.choice("lamp", lamp, lamps.names, "the lantern with its cone, without it, or daylight");
-        knobs.slider("range", range, 0, 20, "how far the lantern reaches, metres");
+        knobs.slider("range", range, 0, 20, KnobHelp("how far the lantern reaches").in("metres"));
         knobs.slider("cone", cone, 0, 64, "exponent of the lantern's cone; 0 shines all around");
-        knobs.slider("lamp_height", lamp_height, 0, 3, "height of the lantern's light above the ground, metres");
+        knobs.slider("lamp_height", lamp_height, 0, 3,
+                     KnobHelp("height of the lantern's light above the ground").in("metres"));
         distant.knobs(knobs, -5, 90);
     }
 };

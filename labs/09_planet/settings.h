@@ -53,7 +53,7 @@ struct Settings {
                      "where the grid lies: equal angles, the cube, latitude and longitude");
         knobs.choice("normals", normals, normal_rules.names, "normals by the metric, or by what is commonly written");
         knobs.choice("slopes_from", slopes_from, slope_sources.names,
-                     "for view = faces: slopes by a filter in the map, or from the heights' formula");
+                     KnobHelp("slopes by a filter in the map, or from the heights' formula").only("view", {"faces"}));
         knobs.choice("lit_by", lit_by, normal_sources.names,
                      "normals of the map, those at the vertices, interpolated, or the map's with bricks on each face");
         knobs.toggle("gutter", gutter, "maps go on beyond the border of their patch, or repeat its last texel");
@@ -62,7 +62,7 @@ struct Settings {
         knobs.choice("levels", levels, level_rules.names,
                      "all patches alike, by distance, or by their error on the screen");
         knobs.steps("level", level, 0, 5, "for levels = uniform, and of the faces: level of every patch");
-        knobs.slider("budget", budget, 0.25f, 16, "tolerated error, pixels");
+        knobs.slider("budget", budget, 0.25f, 16, KnobHelp("tolerated error").in("pixels"));
         knobs.choice("quads", quads, quad_counts, "quads along a patch's side");
         knobs.choice("texels", texels, texel_counts, "texels along a patch's side");
         knobs.toggle("skirts", skirts, "borders reach down, so that no gap opens between two levels");
@@ -70,11 +70,15 @@ struct Settings {
                      "leave out no patches, those outside of the picture, or also hidden ones");
         knobs.group("Eye");
         knobs.choice("eye", eye, eyes.names, "the camera, or above a place on the ground");
-        knobs.slider("altitude", altitude, -6, 1, "for eye = ground: height above it, as a power of 10 of the radius");
-        knobs.slider("longitude", longitude, -180, 180, "for eye = ground: longitude of the place, degrees");
-        knobs.slider("latitude", latitude, -90, 90, "for eye = ground: latitude of the place, degrees");
-        knobs.slider("heading", heading, -180, 180, "for eye = ground: direction from north to the right, degrees");
-        knobs.slider("tilt", tilt, -90, 90, "for eye = ground: elevation of the view, degrees");
+        knobs.slider("altitude", altitude, -6, 1,
+                     KnobHelp("height above it, as a power of 10 of the radius").only("eye", {"ground"}));
+        knobs.slider("longitude", longitude, -180, 180,
+                     KnobHelp("longitude of the place").in("degrees").only("eye", {"ground"}));
+        knobs.slider("latitude", latitude, -90, 90,
+                     KnobHelp("latitude of the place").in("degrees").only("eye", {"ground"}));
+        knobs.slider("heading", heading, -180, 180,
+                     KnobHelp("direction from north to the right").in("degrees").only("eye", {"ground"}));
+        knobs.slider("tilt", tilt, -90, 90, KnobHelp("elevation of the view").in("degrees").only("eye", {"ground"}));
         knobs.group("Planet");
         knobs.slider("radius", radius, 0, 7, "radius of the planet, as a power of 10 in metres; 6.804 is the Earth");
         knobs.choice("precise", precise, precisions.names, "subtract the eye before rounding to float, or after");

@@ -41,17 +41,18 @@ public:
         knobs.choice("view", view_, views,
                      "every method at five angles on the wall, one from the camera, or ways to bring the eye to the "
                      "model");
-        knobs.choice("method", method_, methods, "for view = one: the method");
+        knobs.choice("method", method_, methods, KnobHelp("the method").only("view", {"one"}));
         knobs.steps("steps", steps_, 1, 256, "layers of the steep method");
         knobs.choice("show", show_, shows, "the lit relief, the error, or half of each");
         surface_.knobs(knobs);
         light_.knobs(knobs);
         knobs.group("Model");
         knobs.choice("eye", eye_, eyes,
-                     "for view = eye: dot products in the world, or the inverse of the model's matrix");
+                     KnobHelp("dot products in the world, or the inverse of the model's matrix").only("view", {"eye"}));
         knobs.slider("turn", turn_, -180, 180,
-                     "for view = eye: turn of the model and the camera in the world, degrees");
-        knobs.slider("away", away_, 0, 10000, "for view = eye: distance of both from the world's origin, metres");
+                     KnobHelp("turn of the model and the camera in the world").in("degrees").only("view", {"eye"}));
+        knobs.slider("away", away_, 0, 10000,
+                     KnobHelp("distance of both from the world's origin").in("metres").only("view", {"eye"}));
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {

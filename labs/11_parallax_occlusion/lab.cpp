@@ -48,13 +48,14 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.choice("view", view_, views, "methods side by side, or one picture by the knobs");
-        knobs.choice("show", show_, shows, "for view = compare: the picture, the error, or both");
+        knobs.choice("show", show_, shows, KnobHelp("the picture, the error, or both").only("view", {"compare"}));
         knobs.group("March");
         knobs.choice("count", chosen_.count, counts.names, "rule for the number of steps");
         knobs.steps("steps", steps_, 1, 512, "steps of the march; with count = angle: of a level ray");
-        knobs.steps("least_steps", least_steps_, 1, 512, "for count = angle: steps of a ray straight down");
+        knobs.steps("least_steps", least_steps_, 1, 512,
+                    KnobHelp("steps of a ray straight down").only("count", {"angle"}));
         knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8,
-                     "for count = texel: texels of the mip level per step");
+                     KnobHelp("texels of the mip level per step").only("count", {"texel"}));
         knobs.choice("refine", chosen_.refine, refinements, "how the hit is found between the last two samples");
         knobs.steps("rounds", chosen_.rounds, 0, 8, "rounds of bisection, secant or illinois");
         knobs.choice("mip", mip_, mips, "mip level that the march reads");

@@ -69,7 +69,7 @@ public:
                      "segments of each edge in the shadow map; 0: as in the picture");
         surface_.knobs(knobs);
         knobs.toggle("packed", surface_.material.packed,
-                     "for map = wall and paving: height, gloss and occlusion from one texture");
+                     KnobHelp("height, gloss and occlusion from one texture").only("map", {"wall", "paving"}));
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {

@@ -53,14 +53,17 @@ struct Settings {
         knobs.group("Levels");
         knobs.choice("method", method, methods.names, "rule for the levels");
         knobs.choice("levels_of", levels_of, levels_ofs.names, "a level per edge, or per patch, which opens cracks");
-        knobs.slider("level", level, 1, 64, "for method = uniform: level of every edge");
-        knobs.slider("nearest", nearest, 0.1f, 32, "for method = distance: where edges have the finest level, metres");
+        knobs.slider("level", level, 1, 64, KnobHelp("level of every edge").only("method", {"uniform"}));
+        knobs.slider("nearest", nearest, 0.1f, 32,
+                     KnobHelp("where edges have the finest level").in("metres").only("method", {"distance"}));
         knobs.slider("farthest", farthest, 0.1f, 64,
-                     "for method = distance: where edges have the coarsest level, metres");
-        knobs.slider("finest", finest, 0, 6, "for method = distance: the finest level, an exponent of 2");
-        knobs.slider("coarsest", coarsest, 0, 6, "for method = distance: the coarsest level, an exponent of 2");
-        knobs.slider("segment", segment, 1, 64, "for method = size: pixels per segment");
-        knobs.slider("budget", budget, 0.125f, 8, "for method = error: tolerated error, pixels");
+                     KnobHelp("where edges have the coarsest level").in("metres").only("method", {"distance"}));
+        knobs.slider("finest", finest, 0, 6,
+                     KnobHelp("the finest level, an exponent of 2").only("method", {"distance"}));
+        knobs.slider("coarsest", coarsest, 0, 6,
+                     KnobHelp("the coarsest level, an exponent of 2").only("method", {"distance"}));
+        knobs.slider("segment", segment, 1, 64, KnobHelp("pixels per segment").only("method", {"size"}));
+        knobs.slider("budget", budget, 0.125f, 8, KnobHelp("tolerated error").in("pixels").only("method", {"error"}));
         knobs.choice("spacing", spacing, DisplacedSurface::spacings, "positions of the vertices at a fractional level");
         knobs.choice("mip", mip, mips.names,
                      "mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks");

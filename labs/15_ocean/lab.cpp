@@ -131,8 +131,9 @@ private:
     double mean_error(Settings::Combine rule) {
         return means_[rule].get({settings_.water.key(), settings_.source, settings_.lock, sea_.renewals()}, [&] {
             constexpr glm::ivec2 size(48);
+            const Frame frame{.target = 0, .size = size, .time = 0, .camera = {steep(180), 1}, .probe = {}};
             const Part part{.tile = {{0, 0}, size},
-                            .frame = {.target = 0, .size = size, .time = 0, .camera = {steep(180), 1}, .probe = {}},
+                            .frame = frame,
                             .rule = rule,
                             .far = settings_.far,
                             .purpose = "MEASURE"};

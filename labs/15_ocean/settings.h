@@ -45,12 +45,14 @@ struct Settings {
         knobs.choice("view", view, views.names,
                      "two rules for the normal and their errors; four far seas; one picture; or the four maps");
         knobs.group("Normals");
-        knobs.choice("combine", combine, combines.names, "for view = one: how the normals of two maps become one");
+        knobs.choice("combine", combine, combines.names,
+                     KnobHelp("how the normals of two maps become one").only("view", {"one"}));
         knobs.choice("waves", water.maps, Water::choices_of_maps, "both maps, or one of them");
         knobs.choice("normals", source, sources.names,
                      "slopes out of normal maps, out of height maps, or by the formula");
         knobs.choice("far", far, fars.names, "what the highlight knows of the waves within a pixel");
-        knobs.choice("samples", sample_count, sample_counts.names, "for far = samples: places within a pixel");
+        knobs.choice("samples", sample_count, sample_counts.names,
+                     KnobHelp("places within a pixel").only("far", {"samples"}));
         knobs.choice("fresnel", fresnel, fresnels.names,
                      "share of the mirrored light: Schlick's approximation, or exact");
         knobs.choice("material", material, materials.names, "water, or blue paint with the same mirrored sky");
@@ -58,8 +60,10 @@ struct Settings {
         knobs.group("Waves");
         knobs.slider("tiles_1", water.tiles[0], 0.02f, 8, "how often the first map lies on 16 metres");
         knobs.slider("tiles_2", water.tiles[1], 0.02f, 8, "how often the second map lies on 16 metres");
-        knobs.slider("amplitude_1", water.amplitudes[0], 0, 4, "significant wave height of the first map, metres");
-        knobs.slider("amplitude_2", water.amplitudes[1], 0, 4, "significant wave height of the second map, metres");
+        knobs.slider("amplitude_1", water.amplitudes[0], 0, 4,
+                     KnobHelp("significant wave height of the first map").in("metres"));
+        knobs.slider("amplitude_2", water.amplitudes[1], 0, 4,
+                     KnobHelp("significant wave height of the second map").in("metres"));
         knobs.slider("wind", water.wind, 0, 20,
                      "metres a second: scales both amplitudes by Cox and Munk's law; 0 does not");
         knobs.slider("shininess", shininess, 1, 4096, "exponent of the highlight of a single slope");
@@ -69,7 +73,7 @@ struct Settings {
         water.file_knobs(knobs);
         knobs.group("Raised waves");
         knobs.toggle("displace", displace, "raise the waves near the eye");
-        knobs.slider("budget", budget, 0.25f, 16, "error of the raised waves, pixels");
+        knobs.slider("budget", budget, 0.25f, 16, KnobHelp("error of the raised waves").in("pixels"));
         knobs.toggle("wire", wire, "draw the triangles' edges");
         light.knobs(knobs, -5, 90);
     }

@@ -67,11 +67,13 @@ public:
         knobs.group("Scene");
         knobs.steps("lamps", lamps_, 1, 3, "the sun, and up to two lanterns");
         knobs.toggle("displace", stage_.displace, "the court's floor rises above its puddles");
-        knobs.slider("tilt", stage_.tilt, -89, 89, "how steep the groove or the plane is, degrees");
+        knobs.slider("tilt", stage_.tilt, -89, 89, KnobHelp("how steep the groove or the plane is").in("degrees"));
         knobs.choice("level", level_, levels.names, "mip level of the surfaces' maps");
         knobs.group("One pixel");
-        knobs.slider("pixel_x", pixel_.place.x, 0, 1, "for view = one-pixel: place from the left, in widths");
-        knobs.slider("pixel_y", pixel_.place.y, 0, 1, "for view = one-pixel: place from the top, in heights");
+        knobs.slider("pixel_x", pixel_.place.x, 0, 1,
+                     KnobHelp("place from the left, in widths").only("view", {"one-pixel"}));
+        knobs.slider("pixel_y", pixel_.place.y, 0, 1,
+                     KnobHelp("place from the top, in heights").only("view", {"one-pixel"}));
         light_.knobs(knobs, -90, 90);
     }
 

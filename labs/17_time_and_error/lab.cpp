@@ -50,7 +50,7 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.slider("budget", budget_, 0.25f, 16, "tolerated error of the relief, pixels");
+        knobs.slider("budget", budget_, 0.25f, 16, KnobHelp("tolerated error of the relief").in("pixels"));
         knobs.choice("view", view_, views.names, "the picture, the methods as colours, or both");
         knobs.choice("method", method_, methods.names, "the cheapest that keeps the budget, or one everywhere");
         knobs.toggle("spend", spend_, "for one method: thin the relief by the budget; off: as in labs 11 to 13");
@@ -60,7 +60,7 @@ public:
                      "taps that take as long as a triangle: on a graphics card a few");
         knobs.group("Surface");
         surface_.material.knobs(knobs);
-        knobs.slider("depth", surface_.depth, 0, 0.25f, "depth of the relief, metres");
+        knobs.slider("depth", surface_.depth, 0, 0.25f, KnobHelp("depth of the relief").in("metres"));
         light_.knobs(knobs);
     }
 

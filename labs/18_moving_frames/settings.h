@@ -62,7 +62,7 @@ struct Settings {
         knobs.slider("twist", twist, -180, 180, "twist of the tube's joint, degrees; a sixth for each of a serpent's");
         knobs.slider("stretch", stretch, 0, 2,
                      "stretch of a bone along itself: the tube's second, the serpent's middle one");
-        knobs.slider("weights_over", over, 0, 6, "length of a joint, over which weights change, radii");
+        knobs.slider("weights_over", over, 0, 6, KnobHelp("length of a joint, over which weights change").in("radii"));
         knobs.choice("weights", weights, sums.names, "weights that sum to 1, or do not");
         knobs.choice("signs", signs, signs_of.names,
                      "dual quaternions of neighbours alike, or opposite (the same motions)");
@@ -75,9 +75,11 @@ struct Settings {
         knobs.group("Texture");
         knobs.toggle("textured", textured,
                      "place the texture by instance and material; else by the body's own u and v");
-        knobs.slider("instance_turn", instance_turn, -180, 180, "turn of the first instance's texture, degrees");
+        knobs.slider("instance_turn", instance_turn, -180, 180,
+                     KnobHelp("turn of the first instance's texture").in("degrees"));
         knobs.slider("instance_scale", instance_scale, -4, 4, "scale of the first instance's texture along u");
-        knobs.slider("material_turn", material_turn, -180, 180, "turn of the materials' textures, degrees");
+        knobs.slider("material_turn", material_turn, -180, 180,
+                     KnobHelp("turn of the materials' textures").in("degrees"));
         knobs.slider("material_scale", material_scale, 0, 4, "scale of the materials' textures");
         knobs.steps("material", material, 0, material_count - 1, "material of the first body");
         knobs.slider("relief", relief, 0, 2, "strength of the scales; 0 is smooth");

@@ -76,26 +76,34 @@ struct Settings {
             "a wall; six blends and their errors; a solid; six mappings and their errors; five filters of a far, "
             "worn wall");
         knobs.group("Layers");
-        knobs.choice("blend", blend, blends.names, "for view = wall: how the normals of stones and grain become one");
+        knobs.choice("blend", blend, blends.names,
+                     KnobHelp("how the normals of stones and grain become one").only("view", {"wall"}));
         knobs.choice(
             "question", question, questions.names,
             "what is exact: the sum of heights; grain displaced along the stones' normal; grain in the stones' "
             "frame, or rotated with their normal");
         knobs.slider("stones", stones, 0, 4,
-                     "for view = wall, blends and far: strength of the stones; at 1 their steepest slope is 1.4");
+                     KnobHelp("strength of the stones; at 1 their steepest slope is 1.4")
+                         .only("view", {"wall", "blends", "far"}));
         knobs.slider("grain", grain, 0, 4, "strength of the grain; 0 does not read it");
         knobs.slider("fade", fade, 0.1f, 1000,
-                     "for view = wall and blends: where the grain is gone; it fades from half of it on, metres");
+                     KnobHelp("where the grain is gone; it fades from half of it on")
+                         .in("metres")
+                         .only("view", {"wall", "blends"}));
         knobs.slider("tiles", tiles, 1, 16, "tiles of the grain on one of the stones, or on two metres of a solid");
         knobs.group("Solids");
-        knobs.choice("shape", shape, shapes.names, "for view = solid and mappings: a sphere, a rock, or a cube");
-        knobs.choice("mapping", mapping, mappings.names, "for view = solid: how three planes become one normal");
-        knobs.slider("sharpness", sharpness, 1, 64, "for view = solid and mappings: power of the planes' weights");
+        knobs.choice("shape", shape, shapes.names,
+                     KnobHelp("a sphere, a rock, or a cube").only("view", {"solid", "mappings"}));
+        knobs.choice("mapping", mapping, mappings.names,
+                     KnobHelp("how three planes become one normal").only("view", {"solid"}));
+        knobs.slider("sharpness", sharpness, 1, 64,
+                     KnobHelp("power of the planes' weights").only("view", {"solid", "mappings"}));
         knobs.group("Highlight");
         knobs.choice("filter", filter, filters.names,
-                     "for view = wall: what a highlight knows of the slopes within a pixel");
-        knobs.slider("shininess", shininess, 1, 4096,
-                     "for view = wall, blends and far: one over the variance of the slopes of a texel");
+                     KnobHelp("what a highlight knows of the slopes within a pixel").only("view", {"wall"}));
+        knobs.slider(
+            "shininess", shininess, 1, 4096,
+            KnobHelp("one over the variance of the slopes of a texel").only("view", {"wall", "blends", "far"}));
         light.knobs(knobs);
     }
 };

@@ -21,7 +21,6 @@
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/visualize.h"
-#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/words.h"
 #include "tests/support.h"
@@ -250,9 +249,14 @@ TEST_P(EveryLab, IgnoresAKnobWhereItsHelpExcludesIt) {
     Lab& lab = small.lab();
     const auto draw = [&] { return small.draw().values; };
     const std::vector<KnobText> knobs = describe_knobs(lab);
-    for (const KnobText& knob : knobs)
+    for (const KnobText& knob : knobs) {
+        const auto names_it = [&](const KnobText& other) { return other.name == knob.help.knob; };
+        EXPECT_EQ(std::count_if(knobs.begin(), knobs.end(), names_it), knob.help.knob.empty() ? 0 : 1) << knob.name;
         for (const KnobText& other : knobs) {
-            if (read_help(knob.help).knob != other.name) continue;
+            if (!names_it(other)) continue;
+            const std::vector<std::string> known = extremes(other);
+            for (const std::string& value : knob.help.values)
+                EXPECT_EQ(std::count(known.begin(), known.end(), value), 1) << knob.name << ": " << value;
             for (const std::string& value : extremes(other)) {
                 set_knob(lab, other.name, value);
                 if (is_ignored(knob.name, describe_knobs(lab))) {
@@ -267,6 +271,7 @@ TEST_P(EveryLab, IgnoresAKnobWhereItsHelpExcludesIt) {
             }
             set_knob(lab, other.name, other.value);
         }
+    }
 }
 
 // In the window a shader may not compile while its author types. Once it compiles again, the picture is as before.

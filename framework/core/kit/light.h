@@ -15,8 +15,8 @@ struct DistantLight {
 
     void knobs(Knobs& knobs, float min_pitch = -90, float max_pitch = 90) {
         knobs.group("Light");
-        knobs.slider("light_yaw", yaw, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", pitch, min_pitch, max_pitch, "elevation of the light, degrees");
+        knobs.slider("light_yaw", yaw, -180, 180, KnobHelp("direction of the light").in("degrees"));
+        knobs.slider("light_pitch", pitch, min_pitch, max_pitch, KnobHelp("elevation of the light").in("degrees"));
     }
     /// Returns the unit vector towards the light.
     template <class Number = float>

@@ -1,30 +1,30 @@
-// Parses a knob's line of help: its unit, and the values of another knob for which it has an effect.
+// What a knob does: its line of help, its unit, and the values of another knob for which it has an effect.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
-#include "framework/core/lab/knobs.h"
-
 namespace relief {
 
-/// A help is a line such as "for method = steep: depth of a layer, metres". Its parts:
+/// For example KnobHelp("depth of a layer").in("metres").only("method", {"steep"}).
 struct KnobHelp {
-    std::string sentence;  ///< the whole help as a sentence: "For method = steep: depth of a layer, metres."
-    std::string unit;      ///< "metres": the words after the last comma, if they are a unit; else empty
-    /// "method" and {"steep"}: the knob has no effect while that other knob has another value. Empty unless the help
-    /// begins with `for KNOB = VALUE, VALUE and VALUE:`.
+    std::string text;  ///< begins in lower case and has no full stop
+    std::string unit;  ///< "metres"; empty if the value has none, or if the text says it
+    /// The knob has no effect while the knob `knob` has none of `values`. Empty: it always has an effect.
     std::string knob;
     std::vector<std::string> values;
+
+    KnobHelp(const char* words) : text(words) {}  // a literal is a help
+
+    KnobHelp&& in(const char* name_of_unit) &&;
+    KnobHelp&& only(const char* other_knob, std::vector<std::string> its_values) &&;
+
+    /// Returns "for method = steep: depth of a layer, metres".
+    std::string line() const;
+    /// Returns the line as a sentence: "For method = steep: depth of a layer, metres."
+    std::string sentence() const;
+    /// Returns the unit as it follows a number: "°", " m", " texels"; "" for no unit.
+    std::string unit_after_number() const;
 };
-KnobHelp read_help(const std::string& help);
-
-/// Returns whether, by its help, the knob `name` has no effect at the current values of `knobs`. False when the help
-/// names an unknown knob or value.
-bool is_ignored(const std::string& name, std::span<const KnobText> knobs);
-
-/// Returns a unit as it follows a number: "°", " m", " texels"; "" for no unit.
-std::string unit_after_number(const std::string& unit);
 
 }  // namespace relief

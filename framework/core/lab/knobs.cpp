@@ -18,23 +18,23 @@ class Describe final : public Knobs {
 public:
     std::vector<KnobText> found;
 
-    void slider(const char* name, float& value, float low, float high, const char* help) override {
+    void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override {
         found.push_back({name, plain(value), plain(low) + " to " + plain(high), help});
     }
-    void steps(const char* name, int& value, int low, int high, const char* help) override {
+    void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override {
         found.push_back({name, plain(value), fmt::format("{} to {}, whole", low, high), help});
     }
-    void toggle(const char* name, bool& value, const char* help) override {
+    void toggle(const char* name, bool& value, const KnobHelp& help) override {
         found.push_back({name, value ? "on" : "off", "on, off", help});
     }
-    void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
+    void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) override {
         found.push_back({name, names[size_t(value)], fmt::format("{}", fmt::join(names, ", ")), help});
     }
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                        const char* help) override {
+                        const KnobHelp& help) override {
         int named = std::min(value, int(names.size()) - 1);
         choice(name, named, names, help);
-        found.back().help += std::string(", or ") + own.kind();
+        found.back().help.text += std::string(", or ") + own.kind();
         if (value != named) found.back().value = own.file().string();
     }
 };
@@ -44,7 +44,7 @@ public:
     SetOne(const std::string& name, const std::string& text) : name_(name), text_(text) {}
     bool done = false;
 
-    void slider(const char* name, float& value, float low, float high, const char*) override {
+    void slider(const char* name, float& value, float low, float high, const KnobHelp&) override {
         if (name != name_) return;
         const auto number = parse_number(text_);
         // Compare as floats, like the range: the double 0.1 is below 0.1f.
@@ -52,14 +52,14 @@ public:
         value = float(*number);
         done = true;
     }
-    void steps(const char* name, int& value, int low, int high, const char*) override {
+    void steps(const char* name, int& value, int low, int high, const KnobHelp&) override {
         if (name != name_) return;
         const auto number = parse_int(text_);
         if (!number || *number < low || *number > high) refuse(fmt::format("whole numbers from {} to {}", low, high));
         value = *number;
         done = true;
     }
-    void toggle(const char* name, bool& value, const char*) override {
+    void toggle(const char* name, bool& value, const KnobHelp&) override {
         if (name != name_) return;
         const bool on = text_ == "on" || text_ == "true" || text_ == "1";
         const bool off = text_ == "off" || text_ == "false" || text_ == "0";
@@ -67,7 +67,7 @@ public:
         value = on;
         done = true;
     }
-    void choice(const char* name, int& value, std::span<const char* const> names, const char*) override {
+    void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp&) override {
         if (name != name_) return;
         for (size_t i = 0; i < names.size(); ++i)
             if (text_ == names[i]) {
@@ -77,7 +77,7 @@ public:
         if (!done) throw UsageError(unknown_choice(names));
     }
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                        const char* help) override {
+                        const KnobHelp& help) override {
         if (name != name_) return;
         if (std::find(names.begin(), names.end(), text_) != names.end()) return choice(name, value, names, help);
         // A word without a dot or a slash is more likely a misspelt choice than a missing file.
@@ -104,12 +104,12 @@ public:
     explicit GiveFile(const std::filesystem::path& file) : file_(file) {}
     std::string knob;
 
-    void slider(const char*, float&, float, float, const char*) override {}
-    void steps(const char*, int&, int, int, const char*) override {}
-    void toggle(const char*, bool&, const char*) override {}
-    void choice(const char*, int&, std::span<const char* const>, const char*) override {}
+    void slider(const char*, float&, float, float, const KnobHelp&) override {}
+    void steps(const char*, int&, int, int, const KnobHelp&) override {}
+    void toggle(const char*, bool&, const KnobHelp&) override {}
+    void choice(const char*, int&, std::span<const char* const>, const KnobHelp&) override {}
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                        const char*) override {
+                        const KnobHelp&) override {
         if (!knob.empty() || !own.accepts(file_)) return;
         own.read(file_);
         value = int(names.size());
@@ -123,7 +123,7 @@ private:
 }  // namespace
 
 void Knobs::choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                           const char* help) {
+                           const KnobHelp& help) {
     std::vector<const char*> all(names.begin(), names.end());
     const std::string file = own.file().filename().string();
     if (!file.empty()) all.push_back(file.c_str());
@@ -134,6 +134,17 @@ std::vector<KnobText> describe_knobs(Lab& lab) {
     Describe describe;
     lab.knobs(describe);
     return std::move(describe.found);
+}
+
+bool is_ignored(const std::string& name, std::span<const KnobText> knobs) {
+    const auto find = [&](const std::string& wanted) {
+        return std::find_if(knobs.begin(), knobs.end(), [&](const KnobText& knob) { return knob.name == wanted; });
+    };
+    const auto self = find(name);
+    if (self == knobs.end()) return false;
+    const auto other = find(self->help.knob);
+    const std::vector<std::string>& values = self->help.values;
+    return other != knobs.end() && std::find(values.begin(), values.end(), other->value) == values.end();
 }
 
 std::vector<std::string> knob_values(Lab& lab) {

@@ -6,36 +6,41 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/lab/knob_help.h"
+
 namespace relief {
 
 class OwnFile;
 
-/// The visitor that a lab declares its values to, with inclusive ranges and one line of help each. A help may end in a
-/// unit. It may begin with the values of another knob for which this knob has an effect: see knob_help.h.
+/// The visitor that a lab declares its values to, with inclusive ranges and a help each.
 class Knobs {
 public:
     virtual ~Knobs() = default;
     /// Begins a group with a heading, which contains the knobs up to the next group.
     virtual void group(const char*) {}
-    virtual void slider(const char* name, float& value, float low, float high, const char* help) = 0;
-    virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
-    virtual void toggle(const char* name, bool& value, const char* help) = 0;
-    virtual void choice(const char* name, int& value, std::span<const char* const> names, const char* help) = 0;
+    virtual void slider(const char* name, float& value, float low, float high, const KnobHelp& help) = 0;
+    virtual void steps(const char* name, int& value, int low, int high, const KnobHelp& help) = 0;
+    virtual void toggle(const char* name, bool& value, const KnobHelp& help) = 0;
+    virtual void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) = 0;
     /// A choice that also accepts a file; the value is then names.size(). The default is a choice() with the file's
     /// name as one more name, if a file was read.
     virtual void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                                const char* help);
+                                const KnobHelp& help);
 };
 
 /// A knob as text.
 struct KnobText {
-    std::string name, value, range, help;
+    std::string name, value, range;
+    KnobHelp help;
 };
 
 class Lab;
 
 /// Returns all knobs of a lab with their current values.
 std::vector<KnobText> describe_knobs(Lab& lab);
+
+/// Returns whether the knob `name` has no effect at the current values of `knobs`, according to its help.
+bool is_ignored(const std::string& name, std::span<const KnobText> knobs);
 
 /// Returns the current values of all knobs, in the same order.
 std::vector<std::string> knob_values(Lab& lab);

@@ -19,12 +19,12 @@ public:
     bool found = false;
     std::vector<std::string> values;
 
-    void slider(const char* name, float&, float, float, const char*) override { is_it(name); }
-    void steps(const char* name, int&, int, int, const char*) override { is_it(name); }
-    void toggle(const char* name, bool&, const char*) override {
+    void slider(const char* name, float&, float, float, const KnobHelp&) override { is_it(name); }
+    void steps(const char* name, int&, int, int, const KnobHelp&) override { is_it(name); }
+    void toggle(const char* name, bool&, const KnobHelp&) override {
         if (is_it(name)) values = {"off", "on"};
     }
-    void choice(const char* name, int&, std::span<const char* const> names, const char*) override {
+    void choice(const char* name, int&, std::span<const char* const> names, const KnobHelp&) override {
         if (is_it(name)) values.assign(names.begin(), names.end());
     }
 

@@ -13,7 +13,6 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
-#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
@@ -78,34 +77,33 @@ public:
     json all = json::array();
 
     void group(const char* heading) override { heading_ = heading; }
-    void slider(const char* name, float& value, float low, float high, const char* help) override {
+    void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override {
         json& knob = add(name, "slider", help);
         knob["value"] = plain(value), knob["low"] = low, knob["high"] = high;
     }
-    void steps(const char* name, int& value, int low, int high, const char* help) override {
+    void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override {
         json& knob = add(name, "steps", help);
         knob["value"] = std::to_string(value), knob["low"] = low, knob["high"] = high;
     }
-    void toggle(const char* name, bool& value, const char* help) override {
+    void toggle(const char* name, bool& value, const KnobHelp& help) override {
         add(name, "toggle", help)["value"] = value ? "on" : "off";
     }
-    void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
+    void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) override {
         json& knob = add(name, "choice", help);
         knob["value"] = names[size_t(value)];
         for (const char* each : names) knob["names"].push_back(each);
     }
 
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
-                        const char* help) override {
+                        const KnobHelp& help) override {
         Knobs::choice_or_file(name, value, own, names, help);
         all.back()["takes"] = own.kind();
     }
 
 private:
-    json& add(const char* name, const char* kind, const char* help) {
-        const KnobHelp parts = read_help(help);
+    json& add(const char* name, const char* kind, const KnobHelp& help) {
         all.push_back(
-            {{"name", name}, {"kind", kind}, {"help", parts.sentence}, {"unit", parts.unit}, {"group", heading_}});
+            {{"name", name}, {"kind", kind}, {"help", help.sentence()}, {"unit", help.unit}, {"group", heading_}});
         heading_.clear();
         return all.back();
     }

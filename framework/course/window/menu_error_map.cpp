@@ -85,12 +85,12 @@ std::string sentence(std::string text) {
 /// Visits the values of a lab's knobs in their order.
 class KnobValues : public Knobs {
 public:
-    void slider(const char*, float& value, float, float, const char*) override { visit(value); }
-    void steps(const char*, int& value, int, int, const char*) override { visit(value); }
-    void toggle(const char*, bool& value, const char*) override { visit(value); }
-    void choice(const char*, int& value, std::span<const char* const>, const char*) override { visit(value); }
+    void slider(const char*, float& value, float, float, const KnobHelp&) override { visit(value); }
+    void steps(const char*, int& value, int, int, const KnobHelp&) override { visit(value); }
+    void toggle(const char*, bool& value, const KnobHelp&) override { visit(value); }
+    void choice(const char*, int& value, std::span<const char* const>, const KnobHelp&) override { visit(value); }
     void choice_or_file(const char*, int& value, OwnFile& own, std::span<const char* const> names,
-                        const char*) override {
+                        const KnobHelp&) override {
         visit(value);
         if (size_t(value) >= names.size()) visit_file(own);
     }

@@ -9,7 +9,6 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/lab.h"
 #include "framework/course/window/menu_motion.h"
 #include "framework/course/window/menu_stage.h"
@@ -27,10 +26,10 @@ public:
     std::string found;
 
     void group(const char* name) override { group_ = name; }
-    void slider(const char* name, float&, float, float, const char*) override { is(name); }
-    void steps(const char* name, int&, int, int, const char*) override { is(name); }
-    void toggle(const char* name, bool&, const char*) override { is(name); }
-    void choice(const char* name, int&, std::span<const char* const>, const char*) override { is(name); }
+    void slider(const char* name, float&, float, float, const KnobHelp&) override { is(name); }
+    void steps(const char* name, int&, int, int, const KnobHelp&) override { is(name); }
+    void toggle(const char* name, bool&, const KnobHelp&) override { is(name); }
+    void choice(const char* name, int&, std::span<const char* const>, const KnobHelp&) override { is(name); }
 
 private:
     void is(const char* name) {
@@ -63,11 +62,11 @@ public:
         if (open_ == name) ImGui::SetNextItemOpen(true);
         shown_ = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     }
-    void slider(const char* name, float& value, float low, float high, const char* help) override {
+    void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override {
         // Enough digits to distinguish the integers of the range without an exponent.
         const double largest = std::max(std::abs(double(low)), std::abs(double(high)));
         const int digits = std::max(3, int(std::ceil(std::log10(std::max(1.0, largest) + 1))));
-        const std::string format = fmt::format("%.{}g{}", digits, unit_after_number(read_help(help).unit));
+        const std::string format = fmt::format("%.{}g{}", digits, help.unit_after_number());
         row(name, help, [&] {
             const bool is_moved = bar((value - low) / (high - low), [&] {
                 return ImGui::SliderFloat(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
@@ -76,18 +75,18 @@ public:
             return is_moved;
         });
     }
-    void steps(const char* name, int& value, int low, int high, const char* help) override {
-        const std::string format = "%d" + unit_after_number(read_help(help).unit);
+    void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override {
+        const std::string format = "%d" + help.unit_after_number();
         row(name, help, [&] {
             return bar(float(value - low) / float(high - low), [&] {
                 return ImGui::SliderInt(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
             });
         });
     }
-    void toggle(const char* name, bool& value, const char* help) override {
+    void toggle(const char* name, bool& value, const KnobHelp& help) override {
         row(name, help, [&] { return ImGui::Checkbox(id(name), &value); });
     }
-    void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
+    void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) override {
         row(name, help, [&] { return ImGui::Combo(id(name), &value, names.data(), int(names.size())); });
     }
 
@@ -119,7 +118,7 @@ private:
     }
 
     template <class Widget>
-    void row(const char* name, const char* help, Widget widget) {
+    void row(const char* name, const KnobHelp& help, Widget widget) {
         if (!shown_) return;
         const bool ignored = is_ignored(name, knobs_);
         const std::string note = note_on(name, help, ignored);
@@ -140,8 +139,8 @@ private:
         draw_reset(name, left);
     }
 
-    std::string note_on(const char* name, const char* help, bool ignored) const {
-        std::string note = read_help(help).sentence;
+    std::string note_on(const char* name, const KnobHelp& help, bool ignored) const {
+        std::string note = help.sentence();
         for (const KnobText& knob : knobs_)
             if (knob.name == name) note += fmt::format("\n{}; {} at first.", knob.range, default_of(name));
         if (motion_.slider() == name) note += "\nIt runs. A right click stops it.";

@@ -19,7 +19,7 @@ public:
     MoveSlider(const std::string& name, double seconds, double& direction)
         : name_(name), seconds_(seconds), direction_(direction) {}
 
-    void slider(const char* name, float& value, float low, float high, const char*) override {
+    void slider(const char* name, float& value, float low, float high, const KnobHelp&) override {
         if (name_ != name) return;
         const double range = double(high) - double(low);
         double moved = double(value) + direction_ * range * seconds_ / seconds_per_range;
@@ -30,9 +30,9 @@ public:
         }
         value = float(std::clamp(moved, double(low), double(high)));
     }
-    void steps(const char*, int&, int, int, const char*) override {}
-    void toggle(const char*, bool&, const char*) override {}
-    void choice(const char*, int&, std::span<const char* const>, const char*) override {}
+    void steps(const char*, int&, int, int, const KnobHelp&) override {}
+    void toggle(const char*, bool&, const KnobHelp&) override {}
+    void choice(const char*, int&, std::span<const char* const>, const KnobHelp&) override {}
 
 private:
     const std::string& name_;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "framework/core/base/error.h"
-#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/lab.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_header.h"
@@ -33,7 +32,7 @@ void Search::add(const LabEntry& lab, const Manifest& manifest, const std::vecto
         if (!place.empty()) found.wish.lab = &lab;
         return found.wish;
     };
-    for (const KnobText& knob : knobs) add("knob", knob.name, read_help(knob.help).sentence).knob = knob.name;
+    for (const KnobText& knob : knobs) add("knob", knob.name, knob.help.sentence()).knob = knob.name;
     for (const ProbeInfo& probe : manifest.probes) add("probe", probe.name, probe.unit).probe = probe.name;
     for (const CheckInfo& check : manifest.checks) add("check", check.name, check.task).check = check.name;
 }

@@ -31,16 +31,16 @@ constexpr AttemptLimits looking{.cpu = 600};
 class RandomKnobs final : public Knobs {
 public:
     RandomKnobs(std::mt19937& dice, Shot& shot) : dice_(dice), shot_(shot) {}
-    void slider(const char* name, float&, float low, float high, const char*) override {
+    void slider(const char* name, float&, float low, float high, const KnobHelp&) override {
         set(name, [&] { return plain(double(low) + share() * double(high - low)); });
     }
-    void steps(const char* name, int&, int low, int high, const char*) override {
+    void steps(const char* name, int&, int low, int high, const KnobHelp&) override {
         set(name, [&] { return fmt::format("{:.0f}", low + share() * (high - low)); });
     }
-    void toggle(const char* name, bool& value, const char*) override {
+    void toggle(const char* name, bool& value, const KnobHelp&) override {
         set(name, [&] { return value ? "false" : "true"; });
     }
-    void choice(const char* name, int&, std::span<const char* const> names, const char*) override {
+    void choice(const char* name, int&, std::span<const char* const> names, const KnobHelp&) override {
         set(name, [&] { return names[dice_() % names.size()]; });
     }
 

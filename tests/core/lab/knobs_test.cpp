@@ -55,7 +55,7 @@ TEST(Knobs, AreDescribedInOrderWithValueRangeAndHelp) {
         EXPECT_EQ(knobs[i].name, expected[i][0]);
         EXPECT_EQ(knobs[i].value, expected[i][1]);
         EXPECT_EQ(knobs[i].range, expected[i][2]);
-        EXPECT_EQ(knobs[i].help, expected[i][3]);
+        EXPECT_EQ(knobs[i].help.line(), expected[i][3]);
     }
 }
 
@@ -139,7 +139,7 @@ TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
     write_image(wide, Image(2, 1, 1));
     Canvas canvas;
     EXPECT_EQ(describe_knobs(canvas)[0].range, "bricks, stones");
-    EXPECT_EQ(describe_knobs(canvas)[0].help, "the height map, or a picture's file");
+    EXPECT_EQ(describe_knobs(canvas)[0].help.line(), "the height map, or a picture's file");
 
     set_knob(canvas, "map", file.string());
     EXPECT_EQ(canvas.map, 2);
@@ -195,7 +195,7 @@ TEST(Knobs, GiveADroppedFileToTheKnobOfItsKind) {
     EXPECT_EQ(sculpture.map, 0);
     EXPECT_EQ(set_file(sculpture, folder.path() / "mine.pfm"), "map");
     EXPECT_EQ(sculpture.map, 1);
-    EXPECT_EQ(describe_knobs(sculpture)[1].help, "the shape, or an OBJ file");
+    EXPECT_EQ(describe_knobs(sculpture)[1].help.line(), "the shape, or an OBJ file");
     EXPECT_EQ(message_of<UsageError>([&] { set_knob(sculpture, "shape", "bo"); }),
               "unknown value of knob shape, 'bo': did you mean 'box'? There are: sphere, box, or an OBJ file");
     Canvas canvas;

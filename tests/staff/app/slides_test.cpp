@@ -9,7 +9,6 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/starter.h"
