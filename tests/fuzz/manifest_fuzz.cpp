@@ -1,5 +1,5 @@
 // Arbitrary texts of lab.toml and staff/grading.toml.
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/fuzz/fuzz.h"
 
 constexpr const char* with_task = R"(title = "A"

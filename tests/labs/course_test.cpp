@@ -8,13 +8,13 @@
 #include <regex>
 #include <set>
 
-#include "framework/core/base/code_definitions.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/context/context.h"
 #include "framework/core/gl/gl.h"
 #include "framework/course/check/calls.h"
+#include "framework/course/check/code_definitions.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/kept_labs.h"
 #include "framework/course/check/starter.h"

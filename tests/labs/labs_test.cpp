@@ -21,8 +21,8 @@
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/visualize.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/lab/words.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/support.h"
 
 namespace relief {

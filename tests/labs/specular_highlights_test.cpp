@@ -3,7 +3,7 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief {
 namespace {

@@ -64,10 +64,6 @@ void refuse_unusable(const Image& image, const Shot& shot, bool without_tasks = 
 /// Returns the number of a probe's pixels whose task is not written.
 size_t pixels_not_written(const Image& image);
 
-/// Returns why a shot's probe has no exact values, or why no probe has any if the shot names none. Names the value of a
-/// knob that gives them, if one does. In a students' course, the code that computes them is missing. Needs no context.
-std::string no_truth(const LabEntry& lab, const Shot& shot);
-
 /// Returns the exact values of the shot's probe, or nothing if the lab has none with these knobs. Needs no context.
 std::optional<Image> find_truth(const Lab& lab, const Shot& shot);
 /// Returns the same, but throws UsageError if the lab has none.

@@ -16,13 +16,13 @@
 #include "framework/core/base/text.h"
 #include "framework/core/context/backends.h"
 #include "framework/core/context/context.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/gallery.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/course/app/versions.h"
 #include "framework/course/check/drawing.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/window/menu.h"
 
 namespace relief::app {

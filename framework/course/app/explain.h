@@ -5,7 +5,7 @@
 #include <string>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::app {
 

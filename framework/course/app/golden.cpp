@@ -15,8 +15,8 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/visualize.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/course/app/command.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::app {
 namespace {

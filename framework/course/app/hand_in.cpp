@@ -10,13 +10,13 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/stored_zip.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/starter.h"
 #include "framework/course/check/task_names.h"
 #include "framework/course/check/task_text.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::app {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/course/app/command.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "framework/core/image/compare.h"
 #include "framework/core/image/image.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

@@ -11,7 +11,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/gl/texture.h"
 #include "framework/core/kit/window_triangle.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/lab/manifest.h"
 #include "framework/course/check/patience.h"
 #include "framework/course/check/verdict.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief {
 struct LabEntry;

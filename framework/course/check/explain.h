@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/course/check/watched_shader.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

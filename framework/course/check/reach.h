@@ -8,7 +8,7 @@
 #include <string>
 
 #include "framework/core/base/source_text.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/base/code_definitions.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/check/code_definitions.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/core/image/image.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::check {
 

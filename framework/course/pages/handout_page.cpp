@@ -8,12 +8,12 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
-#include "framework/core/image/svg.h"
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/markdown_page.h"
 #include "framework/course/pages/page.h"
 #include "framework/course/pages/picture_words.h"
 #include "framework/course/pages/sources.h"
+#include "framework/course/pages/svg.h"
 
 namespace relief::pages {
 namespace {

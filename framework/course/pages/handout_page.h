@@ -7,8 +7,8 @@
 #include <string>
 
 #include "framework/core/image/image.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/lab/words.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/template.h"
 
 namespace relief::pages {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/template.h"
 
 namespace relief::pages {

@@ -9,7 +9,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/toml_table.h"
+#include "framework/course/manifest/toml_table.h"
 
 namespace relief::pages {
 namespace {

@@ -14,9 +14,9 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
 #include "framework/core/lab/knobs.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/check.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/web/webgl.h"
 
 namespace relief::web {

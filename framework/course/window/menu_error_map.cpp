@@ -1,4 +1,5 @@
 #include "framework/course/window/menu_error_map.h"
+#include "framework/course/manifest/no_truth.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/window/menu_layout.h"
 #include "framework/course/window/menu_tiles.h"
 

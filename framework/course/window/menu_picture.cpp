@@ -8,7 +8,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/image/file.h"
-#include "framework/core/image/svg.h"
+#include "framework/course/pages/svg.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 

@@ -8,9 +8,9 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/lab/knobs.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
 #include "framework/core/lab/words.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::window {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/class/moment.h"
 
 namespace relief::grade {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::grade {
 

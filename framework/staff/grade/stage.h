@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "framework/core/base/descriptor.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/grade/sandbox.h"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/core/lab/manifest.h"
 #include "framework/course/check/watched_shader.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::grade {
 

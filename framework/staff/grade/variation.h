@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 namespace relief::grade {
 

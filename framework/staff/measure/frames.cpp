@@ -1,5 +1,5 @@
 // Frames of each lab, with the cameras of the manifest and of its reference screenshots.
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 

@@ -1,6 +1,6 @@
 // Lighting: the cost of each part, compiled in or left out, and the error of the shaded normal without it. The picture
 // is timed, with four samples per pixel.
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "framework/core/base/error.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/stability.h"
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "framework/core/base/code_definitions.h"
 #include "framework/core/base/text.h"
+#include "framework/course/check/code_definitions.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/starter.h"
 

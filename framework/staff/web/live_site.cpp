@@ -6,7 +6,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/handout_page.h"
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/template.h"

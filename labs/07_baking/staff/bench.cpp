@@ -1,7 +1,7 @@
 // Baking: the time of a bake and the error of its map, by size, frame and triangles. Also the time of a frame with the
 // fine model, the coarse model, and the coarse model with its map.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

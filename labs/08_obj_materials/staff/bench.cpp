@@ -6,8 +6,8 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/core/mesh/obj.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/masks.h"

@@ -1,6 +1,6 @@
 // A planet: the error and the time of its maps, by size and by formula; and frames by levels and culling.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

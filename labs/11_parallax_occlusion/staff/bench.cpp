@@ -5,7 +5,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"

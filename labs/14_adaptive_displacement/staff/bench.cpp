@@ -11,7 +11,7 @@
 #include "framework/core/gl/gpu_mesh.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/kit/displaced_surface.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/stability.h"

@@ -1,7 +1,7 @@
 // Ocean: the time and the error of a frame of lab 15. Normals by the rules by which shaders combine two maps, and the
 // light of a far sea by the wave statistics that a pixel uses.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

@@ -1,7 +1,7 @@
 // Environment: the time of a frame of lab 16 with and without each of its terms. The errors of shadows by bias and map
 // size, of occlusion by slices and taps, and of blurred mirror images.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

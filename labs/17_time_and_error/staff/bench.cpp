@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "framework/core/kit/relief_material.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/least_move.h"

@@ -1,7 +1,7 @@
 // Moving frames: normals of a skin by the methods of engines and with the gradient of its weights. Error in degrees
 // over the whole skin against the time of a frame. Also a flock, by its bodies and triangles.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

@@ -1,7 +1,7 @@
 // Layered normals: blends of two normals, in degrees by three questions; mappings by three planes; highlights of a far
 // wall. The picture of lab 19 is timed.
 #include "framework/staff/measure/bench.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/drawing.h"
 
 namespace relief::measure {

@@ -4,7 +4,7 @@
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/support.h"
 
 namespace relief::app {

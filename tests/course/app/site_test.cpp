@@ -5,7 +5,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/browser.h"
 #include "tests/course/app/course_copy.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/support.h"
 
 namespace relief::check {

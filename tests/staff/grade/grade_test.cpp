@@ -10,12 +10,12 @@
 #include <fstream>
 #include <thread>
 
-#include "framework/core/base/code_definitions.h"
 #include "framework/core/base/descriptor.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/lab/registry.h"
+#include "framework/course/check/code_definitions.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/grade/attempt.h"
 #include "framework/staff/grade/check_views.h"

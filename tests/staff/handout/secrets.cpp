@@ -5,8 +5,8 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/manifest.h"
 #include "framework/course/check/starter.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/support.h"
 
 namespace relief::handout {

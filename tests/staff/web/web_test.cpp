@@ -7,7 +7,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 #include "tests/browser.h"
 #include "tests/process.h"
 #include "tests/screen.h"

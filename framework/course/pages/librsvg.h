@@ -1,4 +1,4 @@
-// The function of the module that holds librsvg; framework/core/image/svg.cpp opens it at first use.
+// The function of the module that holds librsvg; framework/course/pages/svg.cpp opens it at first use.
 #pragma once
 
 #include <glm/glm.hpp>

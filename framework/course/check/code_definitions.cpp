@@ -1,4 +1,4 @@
-#include "framework/core/base/code_definitions.h"
+#include "framework/course/check/code_definitions.h"
 
 #include <algorithm>
 #include <array>

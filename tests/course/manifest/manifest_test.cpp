@@ -1,5 +1,5 @@
 // lab.toml and staff/grading.toml: all keys are read, and each mistake is reported with its line.
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 #include <set>
 

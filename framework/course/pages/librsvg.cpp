@@ -1,5 +1,5 @@
 // The only file that includes librsvg, and Cairo, which librsvg draws with. Built as a module of its own.
-#include "framework/core/image/librsvg.h"
+#include "framework/course/pages/librsvg.h"
 
 #include <librsvg/rsvg.h>
 

@@ -1,4 +1,4 @@
-#include "framework/core/lab/manifest.h"
+#include "framework/course/manifest/manifest.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -11,7 +11,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/lab/toml_table.h"
+#include "framework/course/manifest/toml_table.h"
 
 namespace relief {
 namespace {

@@ -1,5 +1,5 @@
 // SVG pictures, and all diagrams of handouts.
-#include "framework/core/image/svg.h"
+#include "framework/course/pages/svg.h"
 
 #include <set>
 

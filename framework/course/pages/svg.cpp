@@ -1,12 +1,12 @@
-#include "framework/core/image/svg.h"
+#include "framework/course/pages/svg.h"
 
 #include <regex>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/module.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/librsvg.h"
 #include "framework/core/image/stored.h"
+#include "framework/course/pages/librsvg.h"
 
 namespace relief {
 
