@@ -1,9 +1,12 @@
 #include "settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "framework/core/image/asset.h"
+#include "framework/core/image/heights.h"
 #include "framework/core/image/mips.h"
 #include "framework/core/image/resample.h"
 #include "heights.h"
@@ -37,10 +40,23 @@ void Settings::knobs(Knobs& knobs) {
     knobs.slider("light_height", light_height, -2, 2, KnobHelp("height of the light").in("metres"));
 }
 
-Image own_picture(Image picture) {
-    for (float& value : picture.values) value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0;
-    const Image whole = resampled(picture, MapSettings::picture_size, MapSettings::picture_size);
-    return channels_of(whole, 0, is_nearly_grey(whole) ? 1 : 3);
+Image own_picture(const Image& picture, std::vector<std::string>& notes) {
+    const auto fitting = [](const Image& image) {
+        return resampled(image, MapSettings::picture_size, MapSettings::picture_size);
+    };
+    if (is_nearly_grey(picture)) {
+        Heights found = heights_in(picture);
+        notes = std::move(found.notes);
+        return fitting(found.image);
+    }
+    Image colors = channels_of(picture, 0, 3);
+    size_t beyond = 0;
+    for (float& value : colors.values) {
+        if (value >= 0 && value <= 1) continue;
+        value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0, ++beyond;
+    }
+    if (beyond > 0) notes.push_back(fmt::format("{} values are beyond 0 and 1, or NaN: they are clamped", beyond));
+    return fitting(colors);
 }
 
 namespace {

@@ -34,7 +34,7 @@ struct MapSettings {
 };
 
 /// Returns the user's picture as the lab takes it. A grey picture has one channel and is taken for heights.
-Image own_picture(Image picture);
+Image own_picture(const Image& picture, std::vector<std::string>& notes);
 
 struct Settings {
     enum View { every, one };

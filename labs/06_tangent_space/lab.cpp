@@ -2,6 +2,8 @@
 //
 // A frame at every pixel. Light is computed in world space or in tangent space, on models that are scaled and mirrored,
 // with rotated textures. Your tasks: shaders/06_tangent_space/task.glsl
+#include <fmt/format.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/core/base/error.h"
@@ -186,10 +188,12 @@ private:
     }
 
     /// Returns the user's picture as a normal map, whose green points up.
-    static Image own_normals(Image picture) {
+    static Image own_normals(Image picture, std::vector<std::string>& notes) {
         if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
+        size_t not_finite = 0;
         for (float& value : picture.values)
-            if (!std::isfinite(value)) value = 0.5f;
+            if (!std::isfinite(value)) value = 0.5f, ++not_finite;
+        if (not_finite > 0) notes.push_back(fmt::format("{} values are NaN or infinity: read as 0.5", not_finite));
         return picture;
     }
     const Texture& own_texture() const {

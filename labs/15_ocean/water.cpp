@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "framework/core/base/error.h"
+#include "framework/core/image/heights.h"
 #include "framework/core/image/resample.h"
 #include "framework/core/kit/uniforms.h"
 #include "task.h"
@@ -19,13 +20,12 @@ constexpr double two_pi = 2 * glm::pi<double>();
 /// Tiles per second. They are binary fractions, so that the sea repeats exactly after 128 seconds.
 constexpr std::array<glm::dvec2, 2> velocities = {{{1.0 / 128, 9.0 / 128}, {-5.0 / 128, 31.0 / 128}}};
 
-/// Returns the heights of a user's picture: grey, of map_texels a side. Throws Error, without a place, if the picture
-/// has colours or is of one height.
-Image own_heights(Image picture) {
-    if (!is_nearly_grey(picture)) throw Error("shows colours or normals: heights of waves are grey");
-    for (float& value : picture.values)
-        if (!std::isfinite(value)) value = 0;
-    Image heights = resampled(channels_of(picture, 0, 1), map_texels, map_texels);
+/// Returns the heights of a user's picture, of map_texels a side. Throws Error, without a place, if the picture has no
+/// heights or a single one.
+Image own_heights(const Image& picture, std::vector<std::string>& notes) {
+    Heights found = heights_in(picture);
+    notes = std::move(found.notes);
+    Image heights = resampled(found.image, map_texels, map_texels);
     const auto [low, high] = std::minmax_element(heights.values.begin(), heights.values.end());
     if (!(*high > *low)) throw Error("has a single height: waves have crests and troughs");
     return heights;
@@ -33,7 +33,7 @@ Image own_heights(Image picture) {
 
 /// Returns the normals of a user's picture, of map_texels a side: a normal map with green up. Throws Error, without a
 /// place, for a grey picture, or one whose colours do not point upwards.
-Image own_normals(Image picture) {
+Image own_normals(Image picture, std::vector<std::string>&) {
     if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
     double up = 0;
     for (size_t i = 0; i < picture.pixel_count(); ++i) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <random>
@@ -82,6 +84,39 @@ std::string read_file(const fs::path& path, size_t limit) {
     if (!have) fail(path, "read");
     bytes.resize(*have);
     return bytes;
+}
+
+namespace {
+
+bool differ_in_case_only(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char c, unsigned char d) {
+        return std::tolower(c) == std::tolower(d);
+    });
+}
+
+/// Returns the file that a path names if the case of letters does not count, or nothing.
+fs::path in_any_case(const fs::path& path) {
+    std::error_code error;
+    if (path.empty() || fs::exists(path, error)) return path;
+    const fs::path folder = path.has_parent_path() && path.parent_path() != path ? in_any_case(path.parent_path())
+                                                                                  : fs::path();
+    if (folder.empty() && path.has_parent_path()) return {};
+    for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end; at.increment(error))
+        if (differ_in_case_only(at->path().filename().string(), path.filename().string()))
+            return folder / at->path().filename();
+    return {};
+}
+
+}  // namespace
+
+std::string missing_file(const fs::path& path) {
+    const std::string name = path.filename().string();
+    const fs::path found = in_any_case(path);
+    if (found.empty()) return name + " is not there";
+    // Name the folders, too, if the difference is in them.
+    const bool same_name = found.filename() == path.filename();
+    return fmt::format("{} is not there, but {} is: the case of letters counts", same_name ? path.string() : name,
+                       same_name ? found.string() : found.filename().string());
 }
 
 namespace {

@@ -4,6 +4,10 @@
 #include <cctype>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/core/base/log.h"
 
 namespace relief {
 
@@ -14,10 +18,11 @@ public:
     OwnFile(const OwnFile&) = delete;
     OwnFile& operator=(const OwnFile&) = delete;
 
-    /// Reads a file. Throws Error that names the file when it is missing, damaged, too large or unsuitable; then the
-    /// previous file's contents stay.
+    /// Reads a file, and prints its notes on standard error. Throws Error that names the file when it is missing,
+    /// damaged, too large or unsuitable; then the previous file's contents stay.
     void read(const std::filesystem::path& file) {
-        load(file);
+        notes_ = load(file);
+        for (const std::string& note : notes_) print_note(note);
         file_ = std::filesystem::absolute(file);
         ++version_;
     }
@@ -31,12 +36,15 @@ public:
     const std::filesystem::path& file() const { return file_; }
     /// Increases with each file that is read.
     int version() const { return version_; }
+    /// What the file holds that was not read or was changed, one line each. Each names the file.
+    const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    /// Reads the contents. Throws as read() does, and changes nothing then.
-    virtual void load(const std::filesystem::path& file) = 0;
+    /// Reads the contents and returns the notes. Throws as read() does, and changes nothing then.
+    virtual std::vector<std::string> load(const std::filesystem::path& file) = 0;
 
     std::filesystem::path file_;
+    std::vector<std::string> notes_;
     int version_ = 0;
 };
 

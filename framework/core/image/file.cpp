@@ -14,6 +14,7 @@
 #include "framework/core/image/exr.h"
 #include "framework/core/image/netpbm.h"
 #include "framework/core/image/openimageio.h"
+#include "framework/core/image/orientation.h"
 #include "framework/core/image/png.h"
 
 namespace relief {
@@ -68,10 +69,27 @@ std::optional<uint32_t> openexr_size(std::string_view type) {
     return {};
 }
 
+/// A rectangle of pixels, all sides inclusive.
+struct Window {
+    int64_t left = 0, top = 0, right = -1, bottom = -1;
+    bool operator==(const Window&) const = default;
+    std::string text() const {
+        return fmt::format("{} x {} from {}, {}", right - left + 1, bottom - top + 1, left, top);
+    }
+    bool contains(const Window& other) const {
+        return left <= other.left && top <= other.top && right >= other.right && bottom >= other.bottom;
+    }
+};
+struct Windows {
+    Window data, display;
+};
+
 /// OpenEXR allocates memory for the sizes in its header before it checks them against the file, and before OpenImageIO
 /// reports them: a few bytes could cost gigabytes. Walks the header. Throws Error for a value that is larger than the
-/// file, for sides, tiles or channels beyond the limits, and for files of several or deep images.
-void check_openexr_header(std::string_view bytes) {
+/// file, for sides, tiles or channels beyond the limits, for files of several or deep images, and for pixels that do not
+/// fill the display window, which is the picture. Returns the windows.
+Windows check_openexr_header(std::string_view bytes) {
+    Windows windows;
     const auto number_at = [&](size_t at) {
         if (at > bytes.size() || bytes.size() - at < 4) throw Error("damaged: its header has no end");
         uint32_t number = 0;
@@ -104,18 +122,41 @@ void check_openexr_header(std::string_view bytes) {
             return int64_t(int32_t(number_at(begin + high))) - int32_t(number_at(begin + low)) + 1;
         };
         if (name == "dataWindow" && (side(0, 8) > max_image_side || side(4, 12) > max_image_side)) refuse("too large");
+        if (name == "dataWindow" || name == "displayWindow") {
+            const auto edge = [&](size_t offset) { return int64_t(int32_t(number_at(begin + offset))); };
+            (name == "dataWindow" ? windows.data : windows.display) = {edge(0), edge(4), edge(8), edge(12)};
+        }
         if (name == "tiles" && (number_at(begin) > max_image_side || number_at(begin + 4) > max_image_side))
             refuse("its tiles are too large");
         if (type == "preview" && (size < 8 || uint64_t{number_at(begin)} * number_at(begin + 4) * 4 + 8 != size))
             inconsistent();
         if (type == "chlist") {
-            int channels = 0;  // each is a name and 16 bytes; an empty name ends them
-            for (at = begin; at < begin + size && !word().empty(); at += 16)
+            int channels = 0;  // each is a name and 16 bytes, first its type; an empty name ends them
+            for (at = begin; at < begin + size && !word().empty(); at += 16) {
                 if (++channels > 4) refuse("more than 4 channels");
+                if (number_at(at) == 0) throw Error("its numbers are integers of 32 bits: save them as floats");
+            }
             if (at != begin + size) inconsistent();
         }
         at = begin + size;
     }
+    if (windows.display.right < windows.display.left || windows.display.bottom < windows.display.top)
+        throw Error("damaged: it has no pixels");
+    if (!windows.data.contains(windows.display))
+        throw Error(fmt::format("its pixels (data window: {}) do not fill the picture (display window: {}): save the "
+                                "whole picture",
+                                windows.data.text(), windows.display.text()));
+    return windows;
+}
+
+/// Returns the part of the data window's pixels that the display window shows.
+Image cropped(const Image& image, const Windows& windows) {
+    Image part(int(windows.display.right - windows.display.left + 1),
+               int(windows.display.bottom - windows.display.top + 1), image.channels, image.bits);
+    const int left = int(windows.display.left - windows.data.left), top = int(windows.display.top - windows.data.top);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(image.pixel(left, top + y), size_t(part.width) * size_t(part.channels), part.pixel(0, y));
+    return part;
 }
 
 /// libpng allocates memory for a chunk before it reads it. Throws Error for a chunk that is larger than the rest of the
@@ -137,7 +178,8 @@ Image decode_image(const std::string& bytes, Notes* notes) {
     if (is_netpbm(bytes)) return decode_netpbm(bytes);
     if (is_dds(bytes)) return decode_dds(bytes);
     const char* const format = format_by_content(bytes);
-    if (format == "openexr"sv) check_openexr_header(bytes);
+    Windows windows;
+    if (format == "openexr"sv) windows = check_openexr_header(bytes);
     if (format == "png"sv) check_png_chunks(bytes);
     Notes found;
     std::optional<Image> image;
@@ -148,7 +190,8 @@ Image decode_image(const std::string& bytes, Notes* notes) {
                                        : "this program reads no OpenEXR of this kind: save the picture as PNG");
     if (!image) image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);
-    return *std::move(image);
+    if (windows.display != windows.data) return cropped(*image, windows);
+    return oriented(*std::move(image), exif_orientation(bytes));
 }
 
 Image read_image(const std::filesystem::path& path, Notes* notes) {

@@ -22,8 +22,8 @@ constexpr int max_image_side = 16384;
 constexpr size_t max_image_bytes = size_t{1} << 30;
 
 /// Returns the image in PNG, OpenEXR, JPEG, PPM, PGM, PFM or DDS (BC5) bytes; the format is detected from the content.
-/// `notes` receives the notes that write_image() stored. Throws Error without a place when the bytes are damaged, too
-/// large, or of another format.
+/// A JPEG or PNG is turned as its EXIF orientation says; an OpenEXR is its display window. `notes` receives the notes
+/// that write_image() stored. Throws Error without a place when the bytes are damaged, too large, or of another format.
 Image decode_image(const std::string& bytes, Notes* notes = nullptr);
 
 /// Returns the image in a file. The name does not matter. Throws Error that names the file, also when it is missing.

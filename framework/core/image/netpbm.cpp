@@ -39,8 +39,17 @@ public:
             throw Error(fmt::format("its {} is '{}': it must be from 1 to {}", what, printable(text), largest));
         return *value;
     }
-    /// Returns the bytes after the single white space that ends the last word.
-    std::string_view rest() const { return bytes_.substr(std::min(at_ + 1, bytes_.size())); }
+    /// Returns the bytes after the single white space that ends the last word, of which `needed` hold the pixels. Throws
+    /// Error if a second white space follows, as when a program wrote text with CR LF.
+    std::string_view rest(size_t needed) const {
+        const std::string_view rest = bytes_.substr(std::min(at_ + 1, bytes_.size()));
+        const bool is_cr_lf = bytes_.substr(std::min(at_, bytes_.size())).starts_with("\r\n");
+        if ((is_cr_lf && rest.size() > needed) || (rest.size() == needed + 1 && is_space(rest[0])))
+            throw Error(fmt::format("its header ends with {}: one byte too many, so all values would be off by a byte. "
+                                    "Write it with a line feed alone",
+                                    is_cr_lf ? "CR LF" : "two white spaces"));
+        return rest;
+    }
 
 private:
     static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -66,7 +75,7 @@ void check_size(size_t pixels, size_t channels, size_t bytes_each, size_t there)
 
 Image decode_integers(Header& header, int width, int height, int channels) {
     const int largest = header.number("largest value", 65535), bytes_each = largest > 255 ? 2 : 1;
-    const std::string_view rest = header.rest();
+    const std::string_view rest = header.rest(size_t(width) * size_t(height) * size_t(channels) * size_t(bytes_each));
     check_size(size_t(width) * size_t(height), size_t(channels), size_t(bytes_each), rest.size());
     Image image(width, height, channels, bytes_each * 8);
     for (size_t i = 0; i < image.values.size(); ++i) {
@@ -82,7 +91,10 @@ Image decode_floats(Header& header, int width, int height, int channels) {
     const std::string_view scale_text = header.word("scale");
     const auto scale = parse_number(scale_text);
     if (!scale || *scale == 0) throw Error("its scale must be a number other than 0");
-    const std::string_view rest = header.rest();
+    if (std::abs(*scale) != 1)
+        throw Error(fmt::format("its scale is {}: only 1 and -1 are read, since programs differ in what others mean",
+                                plain(*scale)));
+    const std::string_view rest = header.rest(size_t(width) * size_t(height) * size_t(channels) * sizeof(float));
     check_size(size_t(width) * size_t(height), size_t(channels), sizeof(float), rest.size());
     Image image(width, height, channels);
     const size_t row = size_t(width) * size_t(channels);

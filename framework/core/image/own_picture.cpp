@@ -7,23 +7,16 @@
 
 namespace relief {
 
-void OwnPicture::load(const std::filesystem::path& file) {
+std::vector<std::string> OwnPicture::load(const std::filesystem::path& file) {
     Image picture = read_image(file);
     try {
-        image_ = prepare_(std::move(picture));
+        std::vector<std::string> notes;
+        image_ = prepare_(std::move(picture), notes);
+        for (std::string& note : notes) note = Error({file}, note).what();
+        return notes;
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }
-}
-
-bool is_nearly_grey(const Image& picture) {
-    double spread = 0;
-    for (size_t i = 0; picture.channels >= 3 && i < picture.pixel_count(); ++i) {
-        const float* const texel = picture.values.data() + i * size_t(picture.channels);
-        const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
-        spread += double(high) - double(low);
-    }
-    return spread <= 0.02 * double(picture.pixel_count());  // false for NaN
 }
 
 Image channels_of(const Image& image, int first, int count) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/asset.h"
 #include "framework/core/image/file.h"
@@ -59,8 +60,7 @@ private:
         if (file.empty()) return {};
         std::error_code ignored;
         if (fs::is_regular_file(file, ignored)) return file.lexically_proximate(course_root() / "assets").string();
-        note(material,
-             fmt::format("{} of '{}' is left out: {} is not there", keyword, material.name, file.filename().string()));
+        note(material, fmt::format("{} of '{}' is left out: {}", keyword, material.name, missing_file(file)));
         return {};
     }
 
@@ -148,7 +148,7 @@ ObjScene make_obj_scene(ObjModel model, const MapSwitches& maps, const std::func
     return scene;
 }
 
-void OwnObj::load(const fs::path& file) {
+std::vector<std::string> OwnObj::load(const fs::path& file) {
     ObjModel model = read_obj(file);
     for (Material& material : model.materials)
         for (fs::path* const map : {&material.diffuse_map, &material.specular_map, &material.opacity_map,
@@ -164,7 +164,10 @@ void OwnObj::load(const fs::path& file) {
         throw Error({file}, error.what());
     }
     for (Vertex& vertex : model.mesh.vertices) vertex.position += glm::vec3(centre_);
+    // All maps, so that each missing one has a note. Only the lab tells heights from normals.
+    std::vector<std::string> notes = make_obj_scene(model, {}, [](const Image&) { return MapKind::heights; }).notes;
     model_ = std::move(model);
+    return notes;
 }
 
 }  // namespace relief

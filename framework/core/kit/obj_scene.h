@@ -57,8 +57,8 @@ public:
     const ObjModel& model() const { return model_; }
 
 private:
-    /// Also throws when a map of a material is there and is no picture.
-    void load(const std::filesystem::path& file) override;
+    /// Also throws when a map of a material is there and is no picture. The notes are those of make_obj_scene().
+    std::vector<std::string> load(const std::filesystem::path& file) override;
 
     const glm::dvec3 centre_;
     const double radius_;

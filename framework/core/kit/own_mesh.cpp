@@ -124,22 +124,28 @@ double metres_per_uv(const Mesh& mesh) {
     return std::isfinite(side) && side > 0 ? side : 1;
 }
 
-void OwnMesh::load(const std::filesystem::path& file) {
+std::vector<std::string> OwnMesh::load(const std::filesystem::path& file) {
     GltfModel model;
+    glm::dvec3 origin(0);
+    std::vector<std::string> notes;
     if (is_named_as_gltf(file)) {
         model = read_gltf(file);
     } else {
         ObjModel obj = read_obj(file);
         model = {std::move(obj.mesh), obj.has_uvs};
+        origin = obj.origin, notes = std::move(obj.notes);
     }
+    if (!model.has_uvs) notes.push_back(Error({file}, "has no uv: they are made by projection along the axes").what());
     try {
         std::optional<Image> normal_map;
         if (!model.normal_map.empty()) normal_map = decoded_normals(model);
-        const Placement placement = placement_of(model.mesh, radius_);
+        Placement placement = placement_of(model.mesh, radius_);
+        placement.middle += origin;
         mesh_ = prepared_model(std::move(model.mesh), model.has_uvs, radius_);
         placement_ = placement;
         has_tangents_ = model.has_tangents && model.has_uvs;  // tangents follow uv
         normal_map_ = std::move(normal_map);
+        return notes;
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }

@@ -23,7 +23,7 @@ struct Placement {
     glm::dvec3 middle{};
     double scale = 1;
 };
-/// Returns the placement that prepared_model() applies. Throws as it does.
+/// Returns the placement that prepared_model() applies to a mesh. Throws as it does.
 Placement placement_of(const Mesh& mesh, double radius);
 
 /// Returns a place in the lab that one placement has given, as another placement gives it.
@@ -57,7 +57,7 @@ public:
     const Placement& placement() const { return placement_; }
 
 private:
-    void load(const std::filesystem::path& file) override;
+    std::vector<std::string> load(const std::filesystem::path& file) override;
 
     const double radius_;
     Mesh mesh_;

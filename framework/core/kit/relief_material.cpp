@@ -1,5 +1,7 @@
 #include "framework/core/kit/relief_material.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@
 #include "framework/core/height/maps.h"
 #include "framework/core/image/asset.h"
 #include "framework/core/image/color.h"
+#include "framework/core/image/heights.h"
 #include "framework/core/image/mips.h"
 #include "framework/core/image/resample.h"
 
@@ -51,53 +54,29 @@ Image level_of(Image image, int side) {
 /// Returns whether an image is a normal map with heights in the fourth channel.
 bool has_normals(const Image& image) { return image.channels == 4; }
 
-/// Replaces heights that are not finite by 0. If any are beyond [0, 1], as in files of floats, rescales all to [0, 1].
-void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
-    float low = 0, high = 1;
-    for (size_t i = 0; i < count; ++i) {
-        float& height = heights[i * stride];
-        if (!std::isfinite(height)) height = 0;
-        low = std::min(low, height), high = std::max(high, height);
-    }
-    if (low == 0 && high == 1) return;
-    for (size_t i = 0; i < count; ++i)
-        heights[i * stride] = float((double(heights[i * stride]) - double(low)) / (double(high) - double(low)));
-}
-
-/// Returns the heights of a user's picture: a grey picture, or the fourth channel. If the other three channels are a
-/// normal map, it stays with the heights.
-Image own_heights(Image picture) {
-    double up = 0, length = 0;  // sums over the picture: of z, and of the lengths of normals
-    float least = 1, most = 0;  // of the fourth channel
-    for (size_t i = 0; picture.channels == 4 && i < picture.pixel_count(); ++i) {
-        const float* const texel = picture.values.data() + i * 4;
-        const glm::vec3 normal = 2.0f * glm::vec3(texel[0], texel[1], texel[2]) - 1.0f;
-        up += double(normal.z), length += double(glm::length(normal));
-        least = std::min(least, texel[3]), most = std::max(most, texel[3]);
-    }
-    const auto texels_of_it = double(picture.pixel_count());
-    if (least < most) {
-        bring_between_0_and_1(picture.values.data() + 3, picture.pixel_count(), 4);
-        return up > 0.5 * texels_of_it && std::abs(length / texels_of_it - 1) < 0.1 ? picture
-                                                                                    : channels_of(picture, 3, 1);
-    }
-    if (!is_nearly_grey(picture))
-        throw Error("shows colours or normals: a height map is grey, or the fourth channel of a picture");
-    Image heights = channels_of(picture, 0, 1);
-    bring_between_0_and_1(heights.values.data(), heights.values.size(), 1);
-    return heights;
+/// Returns the heights of a user's picture. If the picture is a normal map with heights, it stays with them.
+Image own_heights(Image picture, std::vector<std::string>& notes) {
+    Heights heights = heights_in(picture);
+    notes = std::move(heights.notes);
+    if (heights.normals.values.empty()) return std::move(heights.image);
+    for (size_t i = 0; i < picture.pixel_count(); ++i) picture.values[4 * i + 3] = heights.image.values[i];
+    return picture;
 }
 
 /// Returns the colours of a user's picture in three channels, as sRGB stores them. Pictures of floats hold light. A
 /// grey picture is grey; alpha is ignored.
-Image own_albedo(Image picture) {
+Image own_albedo(Image picture, std::vector<std::string>& notes) {
+    if (picture.channels % 2 == 0) notes.push_back("its alpha is not read");
+    size_t not_finite = 0;
     Image colors(picture.width, picture.height, 3, 8);
     for (size_t i = 0; i < picture.pixel_count(); ++i)
         for (size_t c = 0; c < 3; ++c) {
             const float stored = picture.values[i * size_t(picture.channels) + (picture.channels < 3 ? 0 : c)];
             const double shown = picture.bits == 32 ? srgb_from_linear(double(stored)) : double(stored);
             colors.values[i * 3 + c] = std::isfinite(shown) ? float(std::clamp(shown, 0.0, 1.0)) : 0;
+            not_finite += !std::isfinite(shown);
         }
+    if (not_finite > 0) notes.push_back(fmt::format("{} values are NaN or infinity: read as 0", not_finite));
     return colors;
 }
 

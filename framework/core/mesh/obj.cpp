@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <span>
 #include <unordered_map>
 
 #include "framework/core/base/file.h"
@@ -51,11 +50,55 @@ std::vector<int> resolve(const std::vector<obj::Named>& names, const std::vector
     return result;
 }
 
+/// Keeps one of several neighbouring corners at one position. Those have no angle, by which a triangulation tells the
+/// inside. Leaves a polygon as it is if that would leave fewer than three corners.
+void drop_repeated(std::vector<glm::dvec3>& polygon, std::vector<obj::Corner>& corners) {
+    std::vector<size_t> kept;
+    for (size_t i = 0; i < polygon.size(); ++i)
+        if (polygon[i] != polygon[(i + polygon.size() - 1) % polygon.size()]) kept.push_back(i);
+    if (kept.size() == polygon.size() || kept.size() < 3) return;
+    for (size_t i = 0; i < kept.size(); ++i) polygon[i] = polygon[kept[i]], corners[i] = corners[kept[i]];
+    polygon.resize(kept.size()), corners.resize(kept.size());
+}
+
+/// Adds a note for faces without uv if others have them, and for faces that are not drawn since their material's
+/// opacity is 0.
+void note_invisible_parts(ObjModel& model, const obj::Faces& faces, const std::vector<int>& material_of,
+                          const fs::path& file, obj::Notes& notes) {
+    const auto lacks_uv = [&](const obj::Face& face) {
+        return std::any_of(&faces.corners[face.first], &faces.corners[face.first] + face.count,
+                           [](const obj::Corner& corner) { return corner.uv < 0; });
+    };
+    size_t without_uv = 0;
+    std::set<int> invisible;
+    for (const obj::Face& face : faces.faces) {
+        if (lacks_uv(face) && without_uv++ == 0) model.line_without_uv = face.line;
+        const int material = face.material < 0 ? -1 : material_of[size_t(face.material)];
+        if (material >= 0 && model.materials[size_t(material)].opacity == 0) invisible.insert(material);
+    }
+    if (model.has_uvs && without_uv > 0)
+        notes.add(file, model.line_without_uv,
+                  without_uv == 1 ? "this face has corners without uv (vt): they get 0, 0; the other faces keep theirs"
+                                  : fmt::format("{} faces, of which this is the first, have corners without uv (vt): "
+                                                "they get 0, 0; the others keep theirs",
+                                                without_uv));
+    for (const int i : invisible) {
+        const Material& material = model.materials[size_t(i)];
+        const bool has_d = std::find(material.words.begin(), material.words.end(), "d") != material.words.end();
+        notes.add(material.file, material.line,
+                  has_d ? fmt::format("'{}' has opacity 0 (d 0): its faces are not drawn", material.name)
+                        : fmt::format("'{}' has opacity 0 (Tr 1): its faces are not drawn. Tr is transparency; "
+                                      "a program that means opacity writes d",
+                                      material.name));
+    }
+}
+
 void add_triangles(ObjModel& model, const obj::Faces& faces, const std::vector<int>& material_of) {
     std::unordered_map<obj::Corner, uint32_t, CornerHash> vertex_of;
     std::vector<std::vector<uint32_t>> indices;  // of each subset
     std::map<int, size_t> subset_of;             // by material
     std::vector<glm::dvec3> polygon;
+    std::vector<obj::Corner> corners;
     std::vector<uint32_t> triangles;
     for (const obj::Face& face : faces.faces) {
         const int material = face.material < 0 ? -1 : material_of[size_t(face.material)];
@@ -64,9 +107,12 @@ void add_triangles(ObjModel& model, const obj::Faces& faces, const std::vector<i
             indices.emplace_back();
             model.subsets.push_back({.material = material});
         }
-        const std::span corners(&faces.corners[face.first], face.count);
-        polygon.clear(), triangles.clear();
-        for (const obj::Corner& corner : corners) polygon.push_back(faces.positions[size_t(corner.position)]);
+        polygon.clear(), corners.clear(), triangles.clear();
+        for (uint32_t i = 0; i < face.count; ++i) {
+            const obj::Corner& corner = faces.corners[face.first + i];
+            polygon.push_back(faces.positions[size_t(corner.position)]), corners.push_back(corner);
+        }
+        drop_repeated(polygon, corners);
         triangulate(polygon, triangles);
         for (const uint32_t i : triangles) {
             const auto [vertex, is_first] = vertex_of.try_emplace(corners[i], uint32_t(model.mesh.vertices.size()));
@@ -95,23 +141,25 @@ ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits
     model.materials = materials_of(faces.libraries, notes);
     model.has_normals =
         std::all_of(faces.corners.begin(), faces.corners.end(), [](const obj::Corner& c) { return c.normal >= 0; });
+    model.origin = faces.origin;
     model.has_uvs =
-        std::all_of(faces.corners.begin(), faces.corners.end(), [](const obj::Corner& c) { return c.uv >= 0; });
+        std::any_of(faces.corners.begin(), faces.corners.end(), [](const obj::Corner& c) { return c.uv >= 0; });
     if (!model.has_normals) obj::add_missing_normals(faces);
-    add_triangles(model, faces, resolve(faces.materials, model.materials, file, notes));
+    const std::vector<int> material_of = resolve(faces.materials, model.materials, file, notes);
+    note_invisible_parts(model, faces, material_of, file, notes);
+    add_triangles(model, faces, material_of);
     model.notes = notes.lines();
     return model;
 }
 
 /// Returns the files that a `mtllib` names: several separated by blanks, or one with blanks in its name.
-std::vector<fs::path> library_files(std::string slashed, const fs::path& folder) {
-    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+std::vector<fs::path> library_files(const std::string& names, const fs::path& folder) {
     std::error_code ignored;
-    if (fs::exists(folder / slashed, ignored)) return {folder / slashed};
+    if (const fs::path file = obj::path_in(folder, names); fs::exists(file, ignored)) return {file};
     std::vector<fs::path> files;
-    std::string_view rest = slashed;
+    std::string_view rest = names;
     for (std::string_view name = obj::take_name(rest); !name.empty(); name = obj::take_name(rest))
-        files.push_back(folder / name);
+        files.push_back(obj::path_in(folder, std::string(name)));
     return files;
 }
 
@@ -130,7 +178,10 @@ ObjModel read_obj(const fs::path& file, const ObjLimits& limits) {
                     std::vector<Material> more = obj::read_materials(text, library, folder, notes);
                     std::move(more.begin(), more.end(), std::back_inserter(materials));
                 } catch (const Error& error) {
-                    notes.add(file, line, fmt::format("no materials: {}", error.what()));
+                    std::error_code ignored;
+                    notes.add(file, line,
+                              fmt::format("no materials: {}", fs::exists(library, ignored) ? error.what()
+                                                                                           : missing_file(library)));
                 }
             }
         return materials;

@@ -2,12 +2,14 @@
 //
 // Reads v, vt, vn, f, s, usemtl and mtllib; ignores groups, lines, points and curves.
 // - Corners with the same indices of position, uv and normal share a vertex.
-// - Polygons are triangulated and keep their winding; see polygon.h.
+// - Polygons are triangulated and keep their winding; see polygon.h. Of neighbouring corners at one position, one stays.
 // - A corner without a normal, or with one of zero length, gets the mean of the faces at its position, weighted by
 //   their angles there (Thürmer and Wüthrich 1998). The mean is over its smoothing group, or over all faces before the
 //   first `s`. After `s off`, and where the mean is zero (a two-sided sheet), it gets its face's normal. If the face
 //   has no area, it gets +z.
-// - A corner without uv gets (0, 0).
+// - A corner without uv gets (0, 0). The others keep theirs.
+// - Positions are read in double precision. A model far from the origin is moved there before they are rounded to float:
+//   see ObjModel::origin.
 // - Tangents do *not* follow the uv: vertex.tangent is any_perpendicular() of the normal, with w = 1, until the caller
 //   computes better ones.
 #pragma once
@@ -60,7 +62,11 @@ struct ObjModel {
     std::vector<Subset> subsets;  ///< one per material, in the order of their first face; together all of mesh.indices
     std::vector<Material> materials;
     bool has_normals = false;  ///< every corner has a normal of non-zero length in the file
-    bool has_uvs = false;      ///< every corner has uv in the file
+    bool has_uvs = false;      ///< a corner has uv in the file
+    int line_without_uv = 0;   ///< of the first face with a corner without uv; 0: every corner has uv
+    /// The file's positions are those of the mesh plus this. It is the middle of the bounding box if that is farther
+    /// from 0 than the box's diagonal, and else 0.
+    glm::dvec3 origin{0};
     /// Parts of the files that were ignored or replaced, one line each, "file:line: message"; at most 20.
     std::vector<std::string> notes;
 };

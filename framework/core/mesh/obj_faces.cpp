@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -39,13 +40,12 @@ public:
         while (statements_.next()) {
             const std::string_view keyword = statements_.keyword();
             if (keyword == "v") {
-                const auto numbers = take_numbers(3, 7);  // x y z [w], or x y z red green blue [alpha]
-                faces_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
+                read_position();
             } else if (keyword == "vt") {
-                const auto numbers = take_numbers(1, 3);
+                const auto [numbers, count] = take_numbers(1, 3);
                 faces_.uvs.emplace_back(numbers[0], numbers[1]);
             } else if (keyword == "vn") {
-                const auto numbers = take_numbers(3, 3);
+                const auto [numbers, count] = take_numbers(3, 3);
                 faces_.normals.emplace_back(numbers[0], numbers[1], numbers[2]);
             } else if (keyword == "f") {
                 add_face();
@@ -55,25 +55,59 @@ public:
         }
         if (faces_.faces.empty()) throw Error({statements_.file()}, "has no faces");
         check_indices();
+        round_positions();
         drop_normals_without_length();
         return std::move(faces_);
     }
 
 private:
-    /// Returns the first three numbers of a statement; 0 for those that are missing.
-    std::array<float, 3> take_numbers(int min, int max) {
-        std::array<float, 3> numbers = {};
-        std::string_view rest = statements_.rest();
+    /// The first four numbers of a statement, 0 for those that are missing, and the count of all.
+    struct Numbers {
+        std::array<double, 4> values = {};
         int count = 0;
+    };
+    Numbers take_numbers(int min, int max) {
+        Numbers result;
+        auto& [numbers, count] = result;
+        std::string_view rest = statements_.rest();
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            const std::optional<float> number = number_of(word);
+            const std::optional<double> number = number_of(word);
             if (!number) statements_.fail(fmt::format("'{}' is not a finite number", excerpt(word)));
-            if (count < 3) numbers[size_t(count)] = *number;
+            if (count < 4) numbers[size_t(count)] = *number;
             ++count;
         }
         if (count < min || count > max)
             statements_.fail(fmt::format("'{}' takes {} numbers, here are {}", statements_.keyword(), min, count));
-        return numbers;
+        return result;
+    }
+
+    /// Reads x y z, x y z w, or x y z red green blue with alpha or without.
+    void read_position() {
+        const auto [numbers, count] = take_numbers(3, 7);
+        positions_.emplace_back(numbers[0], numbers[1], numbers[2]);
+        if (count == 4 && numbers[3] != 1) note_once("the weight w of a vertex is not read");
+        if (count >= 6) note_once("the colours of vertices are not read");
+    }
+
+    /// Adds a note for the first statement that it applies to.
+    void note_once(std::string message) {
+        if (unread_.size() < 20 && unread_.insert(message).second)
+            notes_.add(statements_.file(), statements_.line(), message);
+    }
+
+    /// Rounds the positions to float. Those far from the origin lose digits that the surface needs, so they are moved
+    /// before.
+    void round_positions() {
+        glm::dvec3 low(INFINITY), high(-INFINITY);
+        for (const Corner& corner : faces_.corners) {
+            const glm::dvec3& position = positions_[size_t(corner.position)];
+            low = glm::min(low, position), high = glm::max(high, position);
+        }
+        const glm::dvec3 middle = 0.5 * low + 0.5 * high;
+        if (glm::length(middle) > glm::length(high - low)) faces_.origin = middle;
+        faces_.positions.reserve(positions_.size());
+        for (const glm::dvec3& position : positions_) faces_.positions.emplace_back(position - faces_.origin);
+        positions_ = {};
     }
 
     void add_face() {
@@ -94,7 +128,7 @@ private:
             if (faces_.corners.size() == limits_.corners)
                 statements_.fail(fmt::format("the faces have more than {} corners", limits_.corners));
             const auto [position, uv, normal] = *corner;
-            faces_.corners.push_back({.position = resolve(position, faces_.positions.size(), "v"),
+            faces_.corners.push_back({.position = resolve(position, positions_.size(), "v"),
                                       .uv = resolve(uv, faces_.uvs.size(), "vt"),
                                       .normal = resolve(normal, faces_.normals.size(), "vn")});
         }
@@ -114,9 +148,8 @@ private:
             material_ = index_of(rest, material_indices_, faces_.materials);
         } else if (keyword == "mtllib") {
             index_of(rest, library_indices_, faces_.libraries);
-        } else if (keyword != "g" && keyword != "o" && unread_.size() < 20 &&
-                   unread_.insert(std::string(keyword)).second) {
-            notes_.add(statements_.file(), statements_.line(), fmt::format("'{}' is not read", excerpt(keyword)));
+        } else if (keyword != "g" && keyword != "o") {
+            note_once(fmt::format("'{}' is not read", excerpt(keyword)));
         }
     }
 
@@ -144,7 +177,7 @@ private:
         };
         for (const Face& face : faces_.faces)
             for (uint32_t i = face.first; i < face.first + face.count; ++i) {
-                check(face, faces_.corners[i].position, faces_.positions.size(), "v");
+                check(face, faces_.corners[i].position, positions_.size(), "v");
                 check(face, faces_.corners[i].uv, faces_.uvs.size(), "vt");
                 check(face, faces_.corners[i].normal, faces_.normals.size(), "vn");
             }
@@ -164,6 +197,7 @@ private:
     const ObjLimits& limits_;
     Notes& notes_;
     Faces faces_;
+    std::vector<glm::dvec3> positions_;
     std::map<std::string, int32_t> material_indices_, library_indices_;
     std::set<std::string> unread_;
     int32_t material_ = -1;

@@ -80,17 +80,9 @@ MapWords map_words(std::string_view rest) {
     for (const Options* options : {&std::as_const(after), &before})
         for (const auto& [option, argument] : *options) {
             map.options.push_back(option);
-            if (option == "-bm") map.bump_scale = number_of(argument).value_or(1);
+            if (option == "-bm") map.bump_scale = float(number_of(argument).value_or(1));
         }
     return map;
-}
-
-/// Returns a map's path for this system. Backslashes become slashes. A path with a drive letter loses its folders, so
-/// that the file is looked for beside the model.
-std::filesystem::path map_path(std::string name, const std::filesystem::path& folder) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    if (name.size() > 2 && name[1] == ':' && name[2] == '/') name.erase(0, name.rfind('/') + 1);
-    return name.empty() ? std::filesystem::path() : (folder / name).lexically_normal();
 }
 
 /// Reads the statements of one material.
@@ -126,7 +118,7 @@ private:
         const MapWords words = map_words(statement.rest());
         for (const std::string_view option : words.options) add_word(option);
         if (words.name.empty()) return;
-        material_.*map = map_path(words.name, folder_);
+        material_.*map = path_in(folder_, words.name);
         if (map == &Material::bump_map) material_.bump_scale = words.bump_scale;
     }
 
@@ -156,8 +148,8 @@ private:
 
     bool read_number(const Statements& statement, std::string_view& rest, float& number) {
         const std::string_view word = take_word(rest);
-        if (const std::optional<float> read = number_of(word)) {
-            number = *read;
+        if (const std::optional<double> read = number_of(word)) {
+            number = float(*read);
             return true;
         }
         notes_.add(statement.file(), statement.line(),

@@ -54,7 +54,7 @@ std::string_view take_word(std::string_view& rest);
 std::string_view take_name(std::string_view& rest);
 std::string_view trimmed(std::string_view text);
 /// Parses a finite decimal number in the range of a float. Returns nothing for other words.
-std::optional<float> number_of(std::string_view word);
+std::optional<double> number_of(std::string_view word);
 /// Returns a word as it may appear in a message: short, and without control characters.
 std::string excerpt(std::string_view word);
 
@@ -80,6 +80,7 @@ struct Named {
 
 struct Faces {
     std::vector<glm::vec3> positions, normals;
+    glm::dvec3 origin{0};  ///< see ObjModel::origin
     std::vector<glm::vec2> uvs;
     std::vector<Corner> corners;  ///< with indices in range
     std::vector<Face> faces;
@@ -92,6 +93,10 @@ Faces read_faces(std::string_view text, const std::filesystem::path& file, const
 /// Reads the materials of an MTL text. `folder` is put in front of the paths of maps.
 std::vector<Material> read_materials(std::string_view text, const std::filesystem::path& file,
                                      const std::filesystem::path& folder, Notes& notes);
+
+/// Returns a path of an OBJ or MTL file for this system. Backslashes become slashes. If an absolute path, with a drive
+/// letter or without, names no file, it was another machine's: then the file is looked for in `folder`.
+std::filesystem::path path_in(const std::filesystem::path& folder, std::string name);
 
 /// Computes a normal for every corner without one.
 void add_missing_normals(Faces& faces);

@@ -1,5 +1,6 @@
 // The text of OBJ and MTL files: lines, words and numbers.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -39,10 +40,10 @@ std::string_view take_word(std::string_view& rest) {
     return rest.starts_with('#') ? std::string_view() : take_name(rest);
 }
 
-std::optional<float> number_of(std::string_view word) {
+std::optional<double> number_of(std::string_view word) {
     const std::optional<double> value = parse_number(word.substr(word.starts_with('+') ? 1 : 0));
     if (!value || word.starts_with("+-") || std::abs(*value) > double(std::numeric_limits<float>::max())) return {};
-    return float(*value);
+    return *value;
 }
 
 std::string excerpt(std::string_view word) {
@@ -50,6 +51,18 @@ std::string excerpt(std::string_view word) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
     return text.size() < word.size() ? text + "..." : text;
+}
+
+std::filesystem::path path_in(const std::filesystem::path& folder, std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.empty()) return {};
+    const bool has_drive = name.size() > 2 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0]));
+    std::error_code ignored;
+    if ((has_drive || name[0] == '/') && !std::filesystem::exists(name, ignored)) {
+        name.erase(0, name.rfind('/') + 1);
+        if (has_drive && name.find(':') == 1) name.erase(0, 2);
+    }
+    return (folder / name).lexically_normal();
 }
 
 void Statements::fail(const std::string& message) const { throw Error({file_, line_}, message); }

@@ -7,7 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/heights.h"
 #include "framework/course/inspect/reading.h"
 #include "framework/course/inspect/seam.h"
 #include "framework/course/inspect/slopes.h"
@@ -56,7 +58,8 @@ public:
             case MapKind::neither:
                 break;
         }
-        if (map_.channels == 4 || (map_.channels == 2 && as_.kind == MapKind::heights)) last_channel();
+        const bool is_height = result_.find("channel") != nullptr;
+        if (!is_height && (map_.channels == 4 || (map_.channels == 2 && as_.kind == MapKind::heights))) last_channel();
         return std::move(result_);
     }
 
@@ -472,8 +475,13 @@ private:
             return add("heights", Outcome::fault, "normals", "the second file holds normals, not heights");
         if (theirs.kind == MapKind::one_color)
             return add("heights", Outcome::unknown, "cannot tell", "the heights are all the same");
-        const int channels = std::min(heights_->channels, 3) == 2 ? 1 : std::min(heights_->channels, 3);
-        const Agreement as = agreement(slopes_, *heights_, 0, channels);
+        Image heights;
+        try {
+            heights = heights_in(*heights_).image;
+        } catch (const Error& error) {
+            return add("heights", Outcome::fault, "no heights", fmt::format("the second file {}", error.what()));
+        }
+        const Agreement as = agreement(slopes_, heights, 0, 1);
         Numbers numbers = {{"correlation", as.correlation}, {"strength", as.strength}};
         const std::string measured = fmt::format("slopes agree by {}", rounded(as.correlation, 2));
         if (!as.comparable)
@@ -497,7 +505,7 @@ private:
         if (as.channels != Channels{})
             return add("heights", Outcome::fault, verdict_of(as.channels),
                        fmt::format("{} when {}", measured, words_of(as.channels)), numbers);
-        compare(as, channels, numbers, measured);
+        compare(as, heights, numbers, measured);
     }
 
     static std::string verdict_of(const Channels& channels) {
@@ -515,12 +523,12 @@ private:
         return join(words, " and ");
     }
 
-    void compare(const Agreement& as, int channels, Numbers numbers, const std::string& measured) {
-        if (heights_->width != map_.width)
+    void compare(const Agreement& as, const Image& heights, Numbers numbers, const std::string& measured) {
+        if (heights.width != map_.width)
             return add("heights", Outcome::good, "agree",
                        fmt::format("{}; a height of 1 is {} texels of the map", measured, rounded(as.strength)),
                        numbers);
-        const Slopes theirs = slopes_of_heights(*heights_, 0, channels);
+        const Slopes theirs = slopes_of_heights(heights, 0, 1);
         double sum = 0;
         size_t count = 0;
         std::vector<double> angles(vectors_.size(), NAN);
@@ -543,19 +551,32 @@ private:
     }
 
     void heights() {
+        if (!has_finite_height()) return;
+        const Heights found = heights_in(map_);
         double low = INFINITY, high = -INFINITY;
         const size_t step = size_t(map_.channels);
         std::vector<float> values;
         values.reserve(map_.pixel_count());
-        for (size_t i = 0; i < map_.values.size(); i += step) {
-            const float value = map_.values[i];
-            values.push_back(std::isfinite(value) ? value : NAN);
-            if (std::isfinite(value)) low = std::min<double>(low, value), high = std::max<double>(high, value);
+        size_t voids = 0;
+        for (size_t i = 0; i < map_.pixel_count(); ++i) {
+            const float value = map_.values[i * step + size_t(found.channel)];
+            const bool is_void = !found.voids.empty() && found.voids[i];
+            values.push_back(is_void ? NAN : value);
+            if (is_void) mark(i, mark_not_finite), ++voids;
+            if (!is_void) low = std::min<double>(low, value), high = std::max<double>(high, value);
         }
+        if (found.channel > 0)
+            add("channel", Outcome::note, found.channel == 1 ? "second" : "fourth",
+                "the heights are in this channel: the others are all one colour",
+                {{"channel", double(found.channel)}});
+        for (const std::string& note : found.notes)
+            if (note.find("far from all others") != std::string::npos)
+                add("voids", voids > found.not_finite ? Outcome::fault : Outcome::note, "marked", note,
+                    {{"texels", double(voids - found.not_finite)}});
         if (!(high > low)) return;
         const bool beyond = low < 0 || high > 1;
         add("range", beyond ? Outcome::note : Outcome::good, fmt::format("{} to {}", rounded(low), rounded(high)),
-            beyond ? "heights beyond 0 and 1: scale them, a texture of integers cuts them off"
+            beyond ? "heights beyond 0 and 1: this course scales them to 0 to 1; a texture of integers cuts them off"
                    : fmt::format("{} of what can be stored", percent(high - low)),
             {{"low", low}, {"high", high}});
         if (map_.bits == 8)
@@ -565,6 +586,10 @@ private:
                     top = steps_across_top(values, map_.width, map_.height);
         judge_seam(sides, top, " % of the range", 100 / (high - low));
         if (heights_) swapped_files();
+    }
+
+    bool has_finite_height() const {
+        return std::any_of(map_.values.begin(), map_.values.end(), [](float value) { return std::isfinite(value); });
     }
 
     void swapped_files() {

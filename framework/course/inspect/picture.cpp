@@ -25,7 +25,7 @@ float grey_of(const Image& map, const Recognition& as, const float* texel) {
 
 const std::vector<MarkColor>& mark_colors() {
     static const std::vector<MarkColor> colors = {
-        {mark_not_finite, "magenta", "infinity or NaN", 1, 0, 1},
+        {mark_not_finite, "magenta", "infinity, NaN or a void", 1, 0, 1},
         {mark_side, "yellow", "into the surface", 1, 0.9f, 0},
         {mark_length, "red", "length off by more than 0.1", 0.95f, 0.1f, 0.1f},
         {mark_green, "cyan", "green points the other way", 0, 0.85f, 0.95f},

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "framework/core/image/color.h"
+#include "framework/core/image/heights.h"
 
 namespace relief::inspect {
 namespace {
@@ -39,21 +40,6 @@ std::array<Range, 4> ranges_of(const Image& map) {
         if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
     }
     return ranges;
-}
-
-/// Returns whether all colours are grey: channels differ by little compared to the differences between texels.
-bool is_grey(const Image& map) {
-    double spread = 0, sum = 0, squares = 0, count = 0;
-    each_sample(map, [&](const float* texel) {
-        if (!is_finite(texel, 3)) return;
-        const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
-        const double mean = (double(low) + high) / 2;
-        spread += (double(high) - low) * (double(high) - low);
-        sum += mean, squares += mean * mean, ++count;
-    });
-    if (count == 0) return false;
-    const double variance = std::max(0.0, squares / count - sum / count * (sum / count));
-    return std::sqrt(spread / count) <= 0.02 * std::sqrt(variance);
 }
 
 VectorStatistics statistics_of(const Image& map, const Recognition& as) {
@@ -222,7 +208,7 @@ Recognition recognize(const Image& map) {
         return as;
     }
     if (recognize_two_channels(map, ranges, as)) return as;
-    if (is_grey(map)) {
+    if (is_nearly_grey(map)) {
         as.kind = MapKind::heights;
         return as;
     }

@@ -13,6 +13,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
+#include "framework/core/image/heights.h"
 #include "framework/core/mesh/gltf.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
@@ -38,19 +39,16 @@ Value value_of(const char* what, const std::string& word, const std::pair<const 
     throw UsageError(unknown(what, word, names));
 }
 
-/// Returns the heights in a file as one channel. Alpha is ignored. Throws Error for a picture with colours, or for a
-/// height that is not finite.
+/// Returns the heights in a file, and prints what was done to them on standard error.
 Image read_heights(const std::string& file) {
     const Image picture = read_image(file);
-    Image heights(picture.width, picture.height, 1, picture.bits);
-    for (size_t i = 0; i < heights.values.size(); ++i) {
-        const float* texel = picture.values.data() + i * size_t(picture.channels);
-        if (picture.channels >= 3 && (texel[0] != texel[1] || texel[0] != texel[2]))
-            throw Error({file}, "has colours, and heights have none; `relief map heights` makes heights of a picture");
-        if (!std::isfinite(texel[0])) throw Error({file}, "has a height that is not a finite number");
-        heights.values[i] = texel[0];
+    try {
+        Heights found = heights_in(picture);
+        for (const std::string& note : found.notes) print_note(Error({file}, note).what());
+        return std::move(found.image);
+    } catch (const Error& error) {
+        throw Error({file}, error.what());
     }
-    return heights;
 }
 
 /// A channel of a file, "FILE" or "FILE:g", or a number for every texel.
@@ -136,17 +134,26 @@ Image gloss_from_color(const Image& picture, bool inverted) {
     return gloss;
 }
 
-GltfModel read_model(const std::string& file) {
-    if (is_named_as_gltf(file)) return read_gltf(file);
+struct ModelFile {
+    GltfModel model;
+    glm::dvec3 origin{0};     ///< see ObjModel::origin
+    int line_without_uv = 0;  ///< see ObjModel::line_without_uv
+};
+ModelFile read_model(const std::string& file) {
+    if (is_named_as_gltf(file)) return {read_gltf(file)};
     ObjModel model = read_obj(file);
-    return {std::move(model.mesh), model.has_uvs};
+    return {{std::move(model.mesh), model.has_uvs}, model.origin, model.line_without_uv};
 }
 
 /// Returns the coarse model of a bake, with the tangents in its file, or else those of MikkTSpace.
-Mesh read_coarse(const std::string& file) {
-    GltfModel model = read_model(file);
-    if (!model.has_uvs) throw Error({file}, "has no uv: they are the places of its surface on the map");
-    return model.has_tangents ? std::move(model.mesh) : with_tangents(model.mesh, TangentMethod::mikktspace);
+ModelFile read_coarse(const std::string& file) {
+    ModelFile read = read_model(file);
+    constexpr const char* why = "they are the places of its surface on the map";
+    if (!read.model.has_uvs) throw Error({file}, fmt::format("has no uv: {}", why));
+    if (read.line_without_uv > 0)
+        throw Error({file, read.line_without_uv}, fmt::format("this face has corners without uv (vt): {}", why));
+    if (!read.model.has_tangents) read.model.mesh = with_tangents(read.model.mesh, TangentMethod::mikktspace);
+    return read;
 }
 
 /// Shows the progress of work in parts.
@@ -377,7 +384,13 @@ private:
         const bool is_up = is_green_up();
         if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
-        const Mesh fine = read_model(files_[0]).mesh, coarse = read_coarse(files_[1]);
+        ModelFile from = read_model(files_[0]);
+        const auto [coarse_model, origin, unused] = read_coarse(files_[1]);
+        const Mesh& coarse = coarse_model.mesh;
+        // Both models are moved by one origin before they are rounded to float.
+        for (Vertex& vertex : from.model.mesh.vertices)
+            vertex.position = glm::dvec3(vertex.position) + (from.origin - origin);
+        const Mesh& fine = from.model.mesh;
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");
         options.before_part = progress.before_part();

@@ -27,9 +27,11 @@ glm::dvec3 direction_of(int axis) {
 inspect::Reading reading_of(const Image& picture) {
     inspect::Reading best;
     size_t most = 0;
+    const bool is_signed = picture.bits == 32 && std::any_of(picture.values.begin(), picture.values.end(),
+                                                             [](float value) { return value < -0.01f; });
     for (const inspect::Reading& reading :
-         {inspect::Reading{}, inspect::Reading{.curve = inspect::StoredCurve::srgb_added},
-          inspect::Reading{.is_signed = true}}) {
+         {inspect::Reading{.is_signed = is_signed}, inspect::Reading{.curve = inspect::StoredCurve::srgb_added},
+          inspect::Reading{.curve = inspect::StoredCurve::srgb_removed}}) {
         size_t unit = 0;
         for (size_t i = 0; i < picture.pixel_count(); ++i) {
             const glm::dvec3 n = reading.vector(&picture.values[i * size_t(picture.channels)]);
@@ -61,7 +63,11 @@ std::vector<glm::dvec3> normals_in(const Image& picture, SyncJudgement& result) 
         foreground += !is_background, unit += is_normal;
         normals[i] = is_normal ? n : glm::dvec3(NAN);
     }
-    result.shows_normals = 10 * unit > 8 * foreground;
+    result.shows_normals = 10 * unit > 8 * foreground && reading.curve != inspect::StoredCurve::srgb_removed;
+    if (!result.shows_normals && unit + foreground > 0)
+        result.problem = reading.curve == inspect::StoredCurve::srgb_removed
+                             ? "they were decoded from sRGB, as if the numbers were light"
+                             : "their lengths are not 1, as after a tone curve, an exposure or lighting";
     return normals;
 }
 
@@ -85,6 +91,65 @@ std::optional<std::array<int, 3>> axes_of_faces(const std::array<glm::dvec3, 3>&
             if (axes[other] % 3 == axes[face] % 3) return {};
     }
     return axes;
+}
+
+/// Returns the mean unit normals of three faces, from any camera, by k-means; nothing if the picture does not show three
+/// directions.
+std::optional<std::array<glm::dvec3, 3>> means_of_three_faces(const std::vector<glm::dvec3>& normals) {
+    std::vector<glm::dvec3> units;
+    for (const glm::dvec3& n : normals)
+        if (!std::isnan(n.x)) units.push_back(glm::normalize(n));
+    if (units.empty()) return {};
+    // Begin with three vectors far from each other.
+    std::array<glm::dvec3, 3> means{units[units.size() / 2]};
+    for (size_t count = 1; count < 3; ++count) {
+        double least = 2;
+        glm::dvec3 farthest = means[0];
+        for (const glm::dvec3& n : units) {
+            double nearest = -1;
+            for (size_t i = 0; i < count; ++i) nearest = std::max(nearest, glm::dot(means[i], n));
+            if (nearest < least) least = nearest, farthest = n;
+        }
+        means[count] = farthest;
+    }
+    for (int round = 0; round < 30; ++round) {
+        std::array<glm::dvec3, 3> sums{};
+        for (const glm::dvec3& n : units) {
+            size_t best = 0;
+            for (size_t i = 1; i < 3; ++i)
+                if (glm::dot(means[i], n) > glm::dot(means[best], n)) best = i;
+            sums[best] += n;
+        }
+        for (size_t i = 0; i < 3; ++i) {
+            // A face has 2 % of the pixels at least; else the vectors are blends along an edge.
+            if (glm::length(sums[i]) < 0.02 * double(units.size())) return {};
+            means[i] = glm::normalize(sums[i]);
+        }
+    }
+    return means;
+}
+
+/// Explains why the vectors are no normals of world or object space, from the means of three faces; empty if they may be.
+std::string problem_of(const std::array<glm::dvec3, 3>& means) {
+    std::vector<double> aside;  // components beside the nearest axis
+    double farthest = 0, least_right = 180, most_right = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const int axis = nearest_axis(means[i]) % 3;
+        for (int c = 0; c < 3; ++c)
+            if (c != axis) aside.push_back(means[i][c]);
+        farthest = std::max(farthest, inspect::angle_between(means[i], direction_of(nearest_axis(means[i]))));
+        const double between = inspect::angle_between(means[i], means[(i + 1) % 3]);
+        least_right = std::min(least_right, between), most_right = std::max(most_right, between);
+    }
+    double mean = 0, spread = 0;
+    for (const double one : aside) mean += one / 6;
+    for (const double one : aside) spread += (one - mean) * (one - mean) / 6;
+    // 8 bits move all by 0.004.
+    if (std::abs(mean) > 0.012 && std::sqrt(spread) < 0.5 * std::abs(mean))
+        return "half of the largest value is not 0, as after a tone curve, an exposure or another gamma";
+    if (farthest > 10 && least_right > 84 && most_right < 96)
+        return "the faces are perpendicular but turned, as normals in the space of the camera are";
+    return {};
 }
 
 /// Compares with each renderer, from the documented camera.
@@ -172,6 +237,9 @@ SyncJudgement judge_synctest(const Image& picture) {
     for (const double angle : angles) result.mean += angle / double(angles.size());
     result.p99 = angles[size_t(0.99 * double(angles.size() - 1))], result.worst = angles.back();
     compare(picture, normals, axes, result);
+    if (!result.renderer())
+        if (const auto means = means_of_three_faces(normals)) result.problem = problem_of(*means);
+    result.shows_normals = result.problem.empty();
     return result;
 }
 

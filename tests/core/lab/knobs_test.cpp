@@ -120,7 +120,7 @@ TEST(Knobs, MayBeMissing) {
 class Canvas final : public Lab {
 public:
     int map = 1;
-    OwnPicture own{[](Image picture) {
+    OwnPicture own{[](Image picture, std::vector<std::string>&) {
         if (picture.width != 1) throw Error("is wider than a pixel");
         return picture;
     }};
@@ -172,10 +172,10 @@ public:
         bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
 
     private:
-        void load(const std::filesystem::path&) override {}
+        std::vector<std::string> load(const std::filesystem::path&) override { return {}; }
     } model;
     int map = 0, shape = 0;
-    OwnPicture picture{[](Image image) { return image; }};
+    OwnPicture picture{[](Image image, std::vector<std::string>&) { return image; }};
 
     void draw(const Frame&) override {}
     void knobs(Knobs& knobs) override {

@@ -1,0 +1,17 @@
+// The orientation that a camera or an editor stores in a picture's EXIF data, in JPEG and PNG.
+#pragma once
+
+#include <string_view>
+
+#include "framework/core/image/image.h"
+
+namespace relief {
+
+/// Returns the orientation in the bytes of a JPEG or PNG file: 1 (as stored) to 8; 1 if there is none or no such number.
+/// Source: Exif 2.32 (CIPA DC-008), tag 274; PNG 3rd edition, chunk eXIf.
+int exif_orientation(std::string_view bytes);
+
+/// Returns a picture as it is to be shown: mirrored (2, 4), turned (3, 6, 8), or both (5, 7).
+Image oriented(Image stored, int orientation);
+
+}  // namespace relief
