@@ -131,12 +131,14 @@ Windows check_openexr_header(std::string_view bytes) {
         if (type == "preview" && (size < 8 || uint64_t{number_at(begin)} * number_at(begin + 4) * 4 + 8 != size))
             inconsistent();
         if (type == "chlist") {
+            bool has_integers = false;
             int channels = 0;  // each is a name and 16 bytes, first its type; an empty name ends them
             for (at = begin; at < begin + size && !word().empty(); at += 16) {
                 if (++channels > 4) refuse("more than 4 channels");
-                if (number_at(at) == 0) throw Error("its numbers are integers of 32 bits: save them as floats");
+                has_integers |= number_at(at) == 0;
             }
             if (at != begin + size) inconsistent();
+            if (has_integers) throw Error("its numbers are integers of 32 bits: save them as floats");
         }
         at = begin + size;
     }

@@ -58,10 +58,8 @@ std::filesystem::path path_in(const std::filesystem::path& folder, std::string n
     if (name.empty()) return {};
     const bool has_drive = name.size() > 2 && name[1] == ':' && std::isalpha(static_cast<unsigned char>(name[0]));
     std::error_code ignored;
-    if ((has_drive || name[0] == '/') && !std::filesystem::exists(name, ignored)) {
-        name.erase(0, name.rfind('/') + 1);
-        if (has_drive && name.find(':') == 1) name.erase(0, 2);
-    }
+    if ((has_drive || name[0] == '/') && !std::filesystem::exists(name, ignored))
+        name.erase(0, std::max(name.rfind('/') + 1, size_t(has_drive ? 2 : 0)));
     return (folder / name).lexically_normal();
 }
 

@@ -551,8 +551,12 @@ private:
     }
 
     void heights() {
-        if (!has_finite_height()) return;
-        const Heights found = heights_in(map_);
+        Heights found;
+        try {
+            found = heights_in(map_);
+        } catch (const Error&) {
+            return;  // no texel has a height, as values() says
+        }
         double low = INFINITY, high = -INFINITY;
         const size_t step = size_t(map_.channels);
         std::vector<float> values;
@@ -586,10 +590,6 @@ private:
                     top = steps_across_top(values, map_.width, map_.height);
         judge_seam(sides, top, " % of the range", 100 / (high - low));
         if (heights_) swapped_files();
-    }
-
-    bool has_finite_height() const {
-        return std::any_of(map_.values.begin(), map_.values.end(), [](float value) { return std::isfinite(value); });
     }
 
     void swapped_files() {

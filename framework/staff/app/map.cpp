@@ -138,11 +138,12 @@ struct ModelFile {
     GltfModel model;
     glm::dvec3 origin{0};     ///< see ObjModel::origin
     int line_without_uv = 0;  ///< see ObjModel::line_without_uv
+    std::vector<std::string> notes = {};
 };
 ModelFile read_model(const std::string& file) {
     if (is_named_as_gltf(file)) return {read_gltf(file)};
     ObjModel model = read_obj(file);
-    return {{std::move(model.mesh), model.has_uvs}, model.origin, model.line_without_uv};
+    return {{std::move(model.mesh), model.has_uvs}, model.origin, model.line_without_uv, std::move(model.notes)};
 }
 
 /// Returns the coarse model of a bake, with the tangents in its file, or else those of MikkTSpace.
@@ -385,11 +386,13 @@ private:
         if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
         ModelFile from = read_model(files_[0]);
-        const auto [coarse_model, origin, unused] = read_coarse(files_[1]);
-        const Mesh& coarse = coarse_model.mesh;
+        const ModelFile onto = read_coarse(files_[1]);
+        const Mesh& coarse = onto.model.mesh;
+        for (const ModelFile* const model : {&std::as_const(from), &onto})
+            for (const std::string& note : model->notes) print_note(note);
         // Both models are moved by one origin before they are rounded to float.
         for (Vertex& vertex : from.model.mesh.vertices)
-            vertex.position = glm::dvec3(vertex.position) + (from.origin - origin);
+            vertex.position = glm::dvec3(vertex.position) + (from.origin - onto.origin);
         const Mesh& fine = from.model.mesh;
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");

@@ -27,11 +27,11 @@ glm::dvec3 direction_of(int axis) {
 inspect::Reading reading_of(const Image& picture) {
     inspect::Reading best;
     size_t most = 0;
-    const bool is_signed = picture.bits == 32 && std::any_of(picture.values.begin(), picture.values.end(),
-                                                             [](float value) { return value < -0.01f; });
-    for (const inspect::Reading& reading :
-         {inspect::Reading{.is_signed = is_signed}, inspect::Reading{.curve = inspect::StoredCurve::srgb_added},
-          inspect::Reading{.curve = inspect::StoredCurve::srgb_removed}}) {
+    std::vector<inspect::Reading> readings = {{},
+                                              {.curve = inspect::StoredCurve::srgb_added},
+                                              {.curve = inspect::StoredCurve::srgb_removed}};
+    if (picture.bits == 32) readings.insert(readings.begin(), {.is_signed = true});
+    for (const inspect::Reading& reading : readings) {
         size_t unit = 0;
         for (size_t i = 0; i < picture.pixel_count(); ++i) {
             const glm::dvec3 n = reading.vector(&picture.values[i * size_t(picture.channels)]);
@@ -131,12 +131,14 @@ std::optional<std::array<glm::dvec3, 3>> means_of_three_faces(const std::vector<
 
 /// Explains why the vectors are no normals of world or object space, from the means of three faces; empty if they may be.
 std::string problem_of(const std::array<glm::dvec3, 3>& means) {
-    std::vector<double> aside;  // components beside the nearest axis
+    std::vector<double> aside;  // the two components that are most alike: 0, or what a curve made of 0
     double farthest = 0, least_right = 180, most_right = 0;
     for (size_t i = 0; i < 3; ++i) {
-        const int axis = nearest_axis(means[i]) % 3;
-        for (int c = 0; c < 3; ++c)
-            if (c != axis) aside.push_back(means[i][c]);
+        int axis = 0;
+        const auto apart = [&](int c) { return std::abs(means[i][(c + 1) % 3] - means[i][(c + 2) % 3]); };
+        for (const int c : {1, 2})
+            if (apart(c) < apart(axis)) axis = c;
+        aside.push_back(means[i][(axis + 1) % 3]), aside.push_back(means[i][(axis + 2) % 3]);
         farthest = std::max(farthest, inspect::angle_between(means[i], direction_of(nearest_axis(means[i]))));
         const double between = inspect::angle_between(means[i], means[(i + 1) % 3]);
         least_right = std::min(least_right, between), most_right = std::max(most_right, between);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cstring>
 #include <ctime>
 #include <limits>
 
@@ -240,6 +241,39 @@ TEST_F(ImageFiles, ExrOfOtherProgramsIsReadAsOpenImageIoReadsIt) {
     EXPECT_FALSE(decode_plain_exr(tiles, own)) << "tiles of halves are left to OpenImageIO";
     EXPECT_EQ(read_image(sample_files / "tiles.exr").pixel(4, 18)[2], 5 / 8.0f + 18 / 4.0f - 2)
         << "as the file was made";
+}
+
+/// Returns an OpenEXR file with other windows, each four numbers: left, top, right, bottom.
+std::string with_windows(std::string exr, const std::array<int32_t, 4>& data, const std::array<int32_t, 4>& display) {
+    for (const auto& [name, window] : {std::pair("dataWindow\0box2i\0\x10\0\0\0"s, data),
+                                       {"displayWindow\0box2i\0\x10\0\0\0"s, display}})
+        std::memcpy(&exr[exr.find(name) + name.size()], window.data(), 16);
+    return exr;
+}
+
+TEST_F(ImageFiles, TheDisplayWindowOfAnExrIsThePicture) {
+    const Image stored = all_values(8, 6, 1, 16);
+    const std::string exr = encode_image(stored, ImageFormat::exr);
+    const auto refusal = [&](const std::array<int32_t, 4>& display) {
+        return message_of([&] { decode_image(with_windows(exr, {0, 0, 7, 5}, display)); });
+    };
+    const Image part = decode_image(with_windows(exr, {0, 0, 7, 5}, {2, 1, 6, 3}));
+    ASSERT_TRUE(part.same_shape(Image(5, 3, 1)));
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 5; ++x) EXPECT_EQ(*part.pixel(x, y), *stored.pixel(x + 2, y + 1));
+    EXPECT_TRUE(contains(refusal({0, 0, 15, 11}),
+                         "its pixels (data window: 8 x 6 from 0, 0) do not fill the picture (display window: 16 x 12 "
+                         "from 0, 0)"));
+    EXPECT_TRUE(contains(refusal({0, 0, 8, 5}), "do not fill the picture")) << "a column is missing";
+    EXPECT_TRUE(contains(refusal({-1, 0, 6, 5}), "do not fill the picture"));
+    EXPECT_TRUE(contains(refusal({0, 0, -1, -1}), "it has no pixels"));
+}
+
+TEST_F(ImageFiles, AnExrOfIntegersIsRefused) {
+    std::string exr = encode_image(Image(2, 2, 1), ImageFormat::exr);
+    const std::string channel = "Y\0\x02\0\0\0"s;  // a name, and its type: 2 is floats, 0 integers
+    exr[exr.find(channel) + 2] = 0;
+    EXPECT_TRUE(contains(message_of([&] { decode_image(exr); }), "integers of 32 bits"));
 }
 
 TEST_F(ImageFiles, AreWrittenInTheFormatOfTheirExtension) {

@@ -53,6 +53,19 @@ TEST(Netpbm, ReportsTheReasonOfAnError) {
     EXPECT_TRUE(contains(refusal("P6\n2 1 255\n12345"), "1 bytes of 6 are missing"));
     EXPECT_TRUE(contains(refusal("P6\n2 1 70000\n123456"), "largest value"));
     EXPECT_TRUE(contains(refusal("PF\n1 1\n0\n123456789012"), "scale"));
+    EXPECT_TRUE(contains(refusal("PF\n1 1\n-2\n123456789012"), "its scale is -2: only 1 and -1"));
+}
+
+TEST(Netpbm, AHeaderThatEndsWithOneByteTooManyIsRefused) {
+    const auto refusal = [](const std::string& bytes) { return message_of([&] { decode_netpbm(bytes); }); };
+    for (const std::string header : {"P5\r\n2 1\r\n255\r\n", "P5 2 1 255\r\n"})
+        EXPECT_TRUE(contains(refusal(header + "ab"), "its header ends with CR LF: one byte too many")) << header;
+    EXPECT_TRUE(contains(refusal("Pf\r\n1 1\r\n-1.0\r\nabcd"), "CR LF"));
+    EXPECT_TRUE(contains(refusal("P6\r\n1 1\r\n255\r\nabc"), "CR LF"));
+    EXPECT_TRUE(contains(refusal("P5\n2 1\n255 \nab"), "two white spaces"));
+    // A carriage return alone is a white space, and the first value may be 10.
+    EXPECT_EQ(decode_netpbm("P5 2 1 255\r\n\x01"s).values, (std::vector<float>{10 / 255.0f, 1 / 255.0f}));
+    EXPECT_EQ(decode_netpbm("P5\r\n2 1\r\n255\n\x0a\x01"s).values, (std::vector<float>{10 / 255.0f, 1 / 255.0f}));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Models of the user: their place, their uv and tangents, and refusals.
 #include "framework/core/kit/own_mesh.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "framework/core/mesh/shapes.h"
@@ -41,6 +42,39 @@ TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
     const Sums sums = sums_of(mesh);
     EXPECT_LT(glm::distance(sums.low, {-4, -2, -1}), 1e-6);
     EXPECT_LT(glm::distance(sums.high, {4, 2, 1}), 1e-6);
+}
+
+TEST(OwnMesh, FarFromTheOriginIsTheSameModelAndItsPlacementIsThatOfTheFile) {
+    const TemporaryFolder folder;
+    const auto model_at = [&](const char* name, const glm::dvec3& at) {
+        const std::string text = fmt::format(
+            "v {:.4f} {:.4f} {:.4f}\nv {:.4f} {:.4f} {:.4f}\nv {:.4f} {:.4f} {:.4f}\nvt 0 0\nvt 1 0\nvt 0 1\n"
+            "f 1/1 2/2 3/3\n",
+            at.x, at.y, at.z, at.x + 0.8125, at.y, at.z, at.x, at.y + 0.25, at.z + 0.5);
+        return folder.write(name, text);
+    };
+    OwnMesh near(1), far(1);
+    near.read(model_at("near.obj", {0, 0, 0})), far.read(model_at("far.obj", {5e6, 250.5, -4e6}));
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_LT(glm::distance(near.mesh().vertices[i].position, far.mesh().vertices[i].position), 1e-6);
+        EXPECT_LT(glm::distance(near.mesh().vertices[i].normal, far.mesh().vertices[i].normal), 1e-6);
+    }
+    EXPECT_LT(glm::distance(far.placement().middle - near.placement().middle, {5e6, 250.5, -4e6}), 1e-6);
+    EXPECT_TRUE(near.notes().empty());
+}
+
+TEST(OwnMesh, NamesEachPartOfAFileThatItDoesNotRead) {
+    const TemporaryFolder folder;
+    OwnMesh own(1);
+    testing::internal::CaptureStderr();
+    own.read(folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nf 1 2 3\n"));
+    const std::string printed = testing::internal::GetCapturedStderr();
+    ASSERT_EQ(own.notes().size(), 2u);
+    EXPECT_TRUE(own.notes()[0].ends_with("m.obj:4: 'l' is not read")) << own.notes()[0];
+    EXPECT_TRUE(own.notes()[1].ends_with("m.obj: has no uv: they are made by projection along the axes"));
+    EXPECT_EQ(printed, fmt::format("relief: {}\nrelief: {}\n", own.notes()[0], own.notes()[1]));
+    EXPECT_THROW(own.read(folder.path() / "none.obj"), Error);
+    EXPECT_EQ(own.notes().size(), 2u) << "those of the former file, which stays";
 }
 
 TEST(OwnMesh, IsPlacedAsAnotherModelIsByItsPlacement) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "framework/core/base/file.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -95,7 +96,6 @@ TEST(ObjMaterials, MapNamesAreReadAfterTheirOptions) {
     EXPECT_EQ(material("map_Kd my wall.png \n").diffuse_map, "m/my wall.png");
     EXPECT_EQ(material("map_Kd textures\\sub\\wall.png\n").diffuse_map, "m/textures/sub/wall.png");
     EXPECT_EQ(material("map_Kd ../wall.png\n").diffuse_map, "wall.png");
-    EXPECT_EQ(material("map_Kd /abs/wall.png\n").diffuse_map, "/abs/wall.png");
     EXPECT_EQ(material("map_Kd\n").diffuse_map, "");
     EXPECT_EQ(material("map_Kd -s\n").diffuse_map, "");
     EXPECT_EQ(material("norm n.png\n").normal_map, "m/n.png");
@@ -206,8 +206,46 @@ TEST(ObjMaterials, AMissingFileIsANoteAndTheOthersAreRead) {
     ASSERT_EQ(model.materials.size(), 1u) << "and each only once";
     EXPECT_EQ(model.subsets.at(0).material, 0);
     ASSERT_EQ(model.notes.size(), 1u);
-    EXPECT_EQ(model.notes[0], file.string() + ":5: no materials: " + (folder.path() / "a.mtl").string() +
-                                  ": cannot read: No such file or directory");
+    EXPECT_EQ(model.notes[0], file.string() + ":5: no materials: a.mtl is not there");
+}
+
+TEST(ObjMaterials, AFileOfAnotherMachineIsLookedForBesideTheModel) {
+    for (const char* elsewhere :
+         {"/home/art/proj/textures/wall.png", "C:\\art\\wall.png", "d:/art/wall.png", "\\\\server\\art\\wall.png", "C:wall.png"})
+        EXPECT_EQ(material(std::string("norm ") + elsewhere + "\n").normal_map, "m/wall.png") << elsewhere;
+    const TemporaryFolder folder;
+    const fs::path there = folder.write("there.png", "");
+    EXPECT_EQ(material("norm " + there.string() + "\n").normal_map, there) << "a path of this machine";
+    folder.write("a.mtl", "newmtl a\nKd 1 0 0\n");
+    const ObjModel model =
+        read_obj(folder.write("a.obj", square + "mtllib /home/art/proj/a.mtl\nusemtl a\nf 1 2 3\n"));
+    EXPECT_EQ(model.materials.at(0).diffuse, glm::vec3(1, 0, 0));
+    EXPECT_TRUE(model.notes.empty());
+}
+
+TEST(ObjMaterials, AMissingFileOfAnotherCaseIsNamed) {
+    const TemporaryFolder folder;
+    folder.write("Wood.MTL", "newmtl a\n");
+    const fs::path file = folder.write("m.obj", square + "mtllib wood.mtl\nf 1 2 3\n");
+    EXPECT_EQ(read_obj(file).notes.at(0),
+              file.string() + ":5: no materials: wood.mtl is not there, but Wood.MTL is: the case of letters counts");
+    fs::create_directory(folder.path() / "Maps");
+    folder.write("Maps/brick.png", "");
+    EXPECT_EQ(missing_file(folder.path() / "maps" / "brick.png"),
+              (folder.path() / "maps/brick.png").string() + " is not there, but " +
+                  (folder.path() / "Maps/brick.png").string() + " is: the case of letters counts");
+    EXPECT_EQ(missing_file(folder.path() / "maps" / "stone.png"), "stone.png is not there");
+    EXPECT_EQ(missing_file("no/such/folder/stone.png"), "stone.png is not there");
+}
+
+TEST(ObjMaterials, OpacityZeroIsNotedWithTheWordThatSaysIt) {
+    const auto notes = [](const std::string& mtl) {
+        return parse_obj(square + "usemtl a\nf 1 2 3\n", "newmtl b\nd 0\nnewmtl a\n" + mtl).notes;
+    };
+    ASSERT_EQ(notes("Tr 1\n").size(), 1u) << "b is on no face";
+    EXPECT_TRUE(notes("Tr 1.0\n")[0].starts_with("model.mtl:3: 'a' has opacity 0 (Tr 1): its faces are not drawn"));
+    EXPECT_TRUE(notes("d 0\n")[0].starts_with("model.mtl:3: 'a' has opacity 0 (d 0): its faces are not drawn"));
+    EXPECT_TRUE(notes("Tr 0\n").empty() && notes("d 1\nTr 1\n").empty());
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // OBJ models as exporters write them: all notations, and the resulting mesh.
 #include "framework/core/mesh/obj.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -85,6 +88,80 @@ TEST(Obj, ReadsNumbersInEveryNotation) {
     EXPECT_EQ(model.mesh.vertices[0].position, glm::vec3(1, -0.5, 100));
     EXPECT_EQ(model.mesh.vertices[1].position, glm::vec3(0.125, 0, 12));
     EXPECT_EQ(model.mesh.vertices[0].uv, glm::vec2(0.5, 0));
+}
+
+TEST(Obj, AFaceWithoutUvKeepsTheUvOfTheOthersAndItsLineIsNamed) {
+    const std::string data = unit_square + "vt 0.25 0.5\nvt 1 1\n";
+    const ObjModel model = parse_obj(data + "f 1/1 2/2 3/2\nf 3 4 1\n");
+    EXPECT_TRUE(model.has_uvs);
+    EXPECT_EQ(model.line_without_uv, 8);
+    const auto uv = [&](size_t corner) { return model.mesh.vertices[model.mesh.indices[corner]].uv; };
+    EXPECT_EQ(uv(0), glm::vec2(0.25, 0.5));
+    EXPECT_EQ(uv(1), glm::vec2(1, 1));
+    for (const size_t corner : {3, 4, 5}) EXPECT_EQ(uv(corner), glm::vec2(0));
+    ASSERT_EQ(model.notes.size(), 1u);
+    EXPECT_EQ(model.notes[0],
+              "model.obj:8: this face has corners without uv (vt): they get 0, 0; the other faces keep theirs");
+    const ObjModel corner = parse_obj(data + "f 1/1 2/2 3\nf 3/1 4/1 1\nf 1/1 2/1 3/1\n");
+    EXPECT_EQ(corner.line_without_uv, 7);
+    EXPECT_TRUE(corner.notes.at(0).starts_with("model.obj:7: 2 faces, of which this is the first")) << corner.notes[0];
+    const ObjModel none = parse_obj(data + "f 1 2 3\n");
+    EXPECT_FALSE(none.has_uvs);
+    EXPECT_TRUE(none.notes.empty());
+}
+
+TEST(Obj, AModelFarFromTheOriginKeepsTheDigitsOfItsShape) {
+    const glm::dvec3 far(432100.25, -250.5, 5412300.125);
+    std::string text;
+    const std::array<glm::dvec3, 4> shape = {{{0, 0, 0.001}, {0.002, 0, 0}, {0.0021, 0.0013, 0}, {0, 0.0007, 0}}};
+    for (const glm::dvec3& corner : shape)
+        text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", far.x + corner.x, far.y + corner.y, far.z + corner.z);
+    // A vertex of no face has no effect on the origin.
+    const ObjModel model = parse_obj("v 0 0 0\n" + text + "f 2 3 4 5\n");
+    EXPECT_LT(glm::length(model.origin - far), 0.01);
+    for (const Vertex& vertex : model.mesh.vertices) {
+        double nearest = 1;
+        for (const glm::dvec3& corner : shape)
+            nearest = std::min(nearest, glm::length(model.origin + glm::dvec3(vertex.position) - far - corner));
+        EXPECT_LT(nearest, 1e-6) << "the last digit of the file; a float alone has steps of half a metre there";
+    }
+    const ObjModel near = parse_obj("v 10 10 10\nv 40 10 10\nv 10 40 10\nf 1 2 3\n");
+    EXPECT_EQ(near.origin, glm::dvec3(0)) << "within its own size";
+    EXPECT_EQ(near.mesh.vertices[0].position, glm::vec3(10));
+}
+
+TEST(Obj, NeighbouringCornersAtOnePositionCountOnce) {
+    // An F: a stem of 5, an arm of 3 and an arm of 2. Its corners are positions of their own, once to three times.
+    const std::array<std::pair<int, int>, 10> f = {
+        {{0, 0}, {1, 0}, {1, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 4}, {4, 4}, {4, 5}, {0, 5}}};
+    const auto area_of = [&](int times, bool closes) {
+        std::string text, face = "f";
+        int count = 0;
+        const auto add = [&](const std::pair<int, int>& corner) {
+            text += fmt::format("v {} {} 0\n", corner.first, corner.second), face += fmt::format(" {}", ++count);
+        };
+        for (const auto& corner : f)
+            for (int i = 0; i < times; ++i) add(corner);
+        if (closes) add(f[0]);
+        double area = 0;
+        const std::vector<glm::vec3> all = corners(parse_obj(text + face + "\n"));
+        for (size_t i = 0; i < all.size(); i += 3) {
+            const std::vector<glm::dvec3> triangle(all.begin() + long(i), all.begin() + long(i) + 3);
+            EXPECT_GT(vector_area(triangle).z, 0);
+            area += vector_area(triangle).z;
+        }
+        return area;
+    };
+    for (const int times : {1, 2, 3})
+        for (const bool closes : {false, true}) EXPECT_NEAR(area_of(times, closes), 5 + 3 + 2, 1e-6) << times;
+    EXPECT_EQ(parse_obj(unit_square + "f 1 1 2 2 3 3 4 4 1\n").mesh.indices.size(), 6u);
+    EXPECT_EQ(parse_obj(unit_square + "f 1 1 1\n").mesh.indices.size(), 3u) << "no area, and no harm";
+}
+
+TEST(Obj, WeightsAndColoursOfVerticesAreNotedOnce) {
+    const ObjModel model = parse_obj("v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0 2\nv 0 1 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n");
+    EXPECT_EQ(model.notes, (std::vector<std::string>{"model.obj:2: the weight w of a vertex is not read",
+                                                     "model.obj:4: the colours of vertices are not read"}));
 }
 
 TEST(Obj, AConcavePolygonIsCoveredOnce) {

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <set>
 #include <thread>
+#include <tuple>
 
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
@@ -40,12 +41,14 @@ protected:
     /// Writes a square of 2 x 2 in the plane z = 0, with (cells + 1)² vertices at heights `height(u, v)`. Without
     /// normals: readers compute them from the faces.
     template <class Height>
-    void square(const std::string& name, int cells, const Height& height, bool has_uv = true) const {
+    void square(const std::string& name, int cells, const Height& height, bool has_uv = true,
+                const glm::dvec3& at = {}) const {
         std::string text;
         for (int j = 0; j <= cells; ++j)
             for (int i = 0; i <= cells; ++i) {
                 const double u = double(i) / cells, v = double(j) / cells;
-                text += fmt::format("v {} {} {}\nvt {} {}\n", 2 * u - 1, 2 * v - 1, height(u, v), u, v);
+                text += fmt::format("v {} {} {}\nvt {} {}\n", at.x + 2 * u - 1, at.y + 2 * v - 1, at.z + height(u, v),
+                                    u, v);
             }
         for (int j = 0; j < cells; ++j)
             for (int i = 0; i < cells; ++i) {
@@ -274,6 +277,68 @@ TEST_F(MapCommand, ObjectSpaceIsWhatInspectCallsIt) {
     for (size_t i = 0; i < tangent.values.size(); i += 3) EXPECT_EQ(tangent.values[i + 2], 1) << "flat everywhere";
 }
 
+TEST_F(MapCommand, BakesModelsFarFromTheOriginByOneCentre) {
+    const auto wave = [](double u, double v) {
+        const double turn = 6.283185307179586;
+        return 0.05 * std::sin(turn * (u + v)) + 0.03 * std::cos(turn * (2 * u - v) + 1);
+    };
+    const auto flat = [](double, double) { return 0.0; };
+    const glm::dvec3 far(432100, 250, 5412300);
+    square("fine.obj", 48, wave), square("coarse.obj", 1, flat);
+    square("far_fine.obj", 48, wave, true, far), square("far_coarse.obj", 1, flat, true, far);
+    for (const auto& [fine, coarse, to] : {std::array{"fine.obj", "coarse.obj", "near.exr"},
+                                           std::array{"far_fine.obj", "far_coarse.obj", "far.exr"}}) {
+        const Result result = relief({"map", "bake", fine, coarse, "-o", to, "--size", "64"});
+        ASSERT_EQ(result.code, 0) << result.err;
+        EXPECT_TRUE(contains(result.out, "4096 hit, 0 missed")) << result.out;
+    }
+    const Image near = made("near.exr"), away = made("far.exr");
+    for (size_t i = 0; i < near.values.size(); ++i)  // a digit of 1e-9 m in the file, over 0.04 m between vertices
+        ASSERT_NEAR(near.values[i], away.values[i], 2e-5) << i;
+}
+
+TEST_F(MapCommand, AFaceWithoutUvIsNamedWithItsLine) {
+    models();
+    folder_.write("part.obj",
+                  "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n");
+    const Result result = relief({"map", "bake", "fine.obj", "part.obj", "-o", "o.png"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "part.obj:9: this face has corners without uv (vt)")) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST_F(MapCommand, AllCommandsReadTheSameHeights) {
+    // Metres with a mark of missing data and a NaN, beside the same heights from 0 to 1.
+    hills("plain.exr");
+    Image plain = made("plain.exr");
+    const auto [low, high] = std::minmax_element(plain.values.begin(), plain.values.end());
+    const float least = *low, most = *high;
+    for (float& value : plain.values) value = (value - least) / (most - least);
+    Image metres = plain;
+    for (float& value : metres.values) value = 1000 + 512 * value;
+    plain.bits = 32;
+    write_image(folder_.path() / "plain.exr", plain), write_image(folder_.path() / "metres.exr", metres);
+    metres.values[700] = -9999, metres.values[900] = NAN;
+    write_image(folder_.path() / "holes.exr", metres);
+    const auto picture = [&](const std::string& map) {
+        const Result shot = relief({"shot", "12", "--set", "map=" + map, "--size", "160x120", "-o", "shot.exr"});
+        const Result normal = relief({"map", "normal", map, "-o", "normal.exr"});
+        EXPECT_EQ(shot.code + normal.code, 0) << shot.err << normal.err;
+        EXPECT_EQ(shot.err, normal.err) << "one rule, one note";
+        return std::tuple(made("shot.exr"), made("normal.exr"), shot.err, relief({"inspect", map}).out);
+    };
+    const auto [shot, normal, note, words] = picture("plain.exr");
+    EXPECT_EQ(note, "");
+    const auto [shot_m, normal_m, note_m, words_m] = picture("metres.exr");
+    EXPECT_EQ(note_m, "relief: metres.exr: heights from 1000 to 1512 are scaled to 0 to 1\n");
+    EXPECT_LT(difference(normal, normal_m, 0).largest, 1e-3);
+    EXPECT_LT(difference(shot, shot_m, 0.02).pixels_over, 20u);
+    const auto [shot_h, normal_h, note_h, words_h] = picture("holes.exr");
+    EXPECT_TRUE(contains(note_h, "1 texel holds NaN or infinity") && contains(note_h, "1 texel holds -9999")) << note_h;
+    EXPECT_TRUE(contains(words_h, "1 texel holds -9999") && contains(words_h, "1000 to 1512")) << words_h;
+    EXPECT_LT(difference(shot, shot_h, 0.02).pixels_over, 100u) << "around two texels";
+}
+
 TEST_F(MapCommand, RefusesOptionsThatTheKindDoesNotUse) {
     const std::pair<const char*, std::set<std::string>> options[] = {
         {"--depth=0.1", {"normal", "occlusion"}},
@@ -341,7 +406,7 @@ TEST_F(MapCommand, WrongUseAndBrokenFilesAreOneLineAndWriteNothing) {
         {{"map", "normal", heights, "-o", "o.png", "--filter", "sobol"}, 2, "did you mean 'sobel'?"},
         {{"map", "normal", heights, "-o", "o.png", "--depth", "deep"}, 2, "--depth deep: a number from 0 to"},
         {{"map", "normal", heights, "-o", "o.png", "--depth", "nan"}, 2, "--depth nan: a number from 0 to"},
-        {{"map", "normal", albedo, "-o", "o.png"}, 1, "bricks_albedo.png: has colours"},
+        {{"map", "normal", albedo, "-o", "o.png"}, 1, "bricks_albedo.png: shows colours"},
         {{"map", "normal", "text.png", "-o", "o.png"}, 1, "text.png: "},
         {{"map", "normal", "missing.png", "-o", "o.png"}, 1, "missing.png: cannot read"},
         {{"map", "combine", heights, "hills.png", "-o", "o.png"}, 1, "do not fit together"},

@@ -103,6 +103,52 @@ TEST(Synctest, FromAnotherCameraReportsOnlyFlatness) {
     EXPECT_LT(judgement.overlap, 0.97);
 }
 
+TEST(Synctest, ColoursThatAreNoNormalsOfWorldOrObjectAreToldFromWrongFrames) {
+    const glm::dvec3 back = glm::normalize(Camera(synctest_camera, 1).eye());
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
+    const auto problem_of_shot = [&](const SyncRenderer& renderer, bool moved, const auto& change) {
+        const Image normals = render_synctest(renderer, bake_synctest_map(256, 8), side, side);
+        Image picture(side, side, 3, 8);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                // Another camera: the cube is off the middle, and cut off at the side.
+                const float* const n = normals.pixel(moved ? std::min(x + 25, side - 1) : x, y);
+                if (std::isinf(n[0])) continue;
+                const glm::dvec3 color = change(glm::dvec3(n[0], n[1], n[2]));
+                for (int c = 0; c < 3; ++c)
+                    picture.pixel(x, y)[c] = float(std::round(255 * std::clamp(color[c], 0.0, 1.0)) / 255);
+            }
+        const SyncJudgement judgement = judge_synctest(picture);
+        EXPECT_EQ(judgement.shows_normals, judgement.problem.empty());
+        return judgement.problem;
+    };
+    const auto plain = [](const glm::dvec3& n) { return 0.5 * n + 0.5; };
+    const auto in_camera = [&](const glm::dvec3& n) {
+        return 0.5 * glm::dvec3(glm::dot(n, right), glm::dot(n, up), glm::dot(n, back)) + 0.5;
+    };
+    const auto each = [&](const auto& curve) {
+        return [=](const glm::dvec3& n) {
+            const glm::dvec3 stored = 0.5 * n + 0.5;
+            return glm::dvec3(curve(stored.x), curve(stored.y), curve(stored.z));
+        };
+    };
+    for (const bool moved : {false, true}) {
+        for (const SyncRenderer& renderer : sync_renderers())
+            EXPECT_EQ(problem_of_shot(renderer, moved, plain), "") << renderer.text() << moved;
+        for (const SyncFrame frame : {SyncFrame::interpolated, SyncFrame::gram_schmidt}) {
+            EXPECT_TRUE(contains(problem_of_shot({frame, {}}, moved, in_camera), "space of the camera")) << moved;
+            EXPECT_TRUE(contains(problem_of_shot({frame, {}}, moved, each([](double c) { return linear_from_srgb(c); })),
+                                 "decoded from sRGB"))
+                << moved;
+            for (const double exposure : {0.5, 0.8, 0.95, 1.2})
+                EXPECT_NE(problem_of_shot({frame, {}}, moved, each([=](double c) { return exposure * c; })), "")
+                    << exposure << moved;
+            EXPECT_NE(problem_of_shot({frame, {}}, moved, each([](double c) { return c / (c + 0.3); })), "") << "a curve";
+            EXPECT_NE(problem_of_shot({frame, {}}, moved, each([](double c) { return std::pow(c, 1 / 1.8); })), "");
+        }
+    }
+}
+
 TEST(Synctest, APictureWithoutNormalsIsNotJudged) {
     for (const int channels : {1, 2, 3, 4})
         for (const int size : {1, 2, 3, 64}) {
