@@ -89,17 +89,16 @@ std::string read_file(const fs::path& path, size_t limit) {
 namespace {
 
 bool differ_in_case_only(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char c, unsigned char d) {
-        return std::tolower(c) == std::tolower(d);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char c, unsigned char d) { return std::tolower(c) == std::tolower(d); });
 }
 
 /// Returns the file that a path names if the case of letters does not count, or nothing.
 fs::path in_any_case(const fs::path& path) {
     std::error_code error;
     if (path.empty() || fs::exists(path, error)) return path;
-    const fs::path folder = path.has_parent_path() && path.parent_path() != path ? in_any_case(path.parent_path())
-                                                                                  : fs::path();
+    const fs::path folder =
+        path.has_parent_path() && path.parent_path() != path ? in_any_case(path.parent_path()) : fs::path();
     if (folder.empty() && path.has_parent_path()) return {};
     for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end; at.increment(error))
         if (differ_in_case_only(at->path().filename().string(), path.filename().string()))

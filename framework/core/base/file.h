@@ -11,8 +11,8 @@ namespace relief {
 /// bytes.
 std::string read_file(const std::filesystem::path& path, size_t limit = size_t{1} << 30);
 
-/// Says that a file is missing: "brick.png is not there". Adds the name of a file there that differs only in the case of
-/// letters.
+/// Says that a file is missing: "brick.png is not there". Adds the name of a file there that differs only in the case
+/// of letters.
 std::string missing_file(const std::filesystem::path& path);
 
 /// Writes to a temporary file beside the target and renames it. An interrupted or failed write leaves the old file, or

@@ -86,8 +86,8 @@ struct Windows {
 
 /// OpenEXR allocates memory for the sizes in its header before it checks them against the file, and before OpenImageIO
 /// reports them: a few bytes could cost gigabytes. Walks the header. Throws Error for a value that is larger than the
-/// file, for sides, tiles or channels beyond the limits, for files of several or deep images, and for pixels that do not
-/// fill the display window, which is the picture. Returns the windows.
+/// file, for sides, tiles or channels beyond the limits, for files of several or deep images, and for pixels that do
+/// not fill the display window, which is the picture. Returns the windows.
 Windows check_openexr_header(std::string_view bytes) {
     Windows windows;
     const auto number_at = [&](size_t at) {
@@ -145,9 +145,10 @@ Windows check_openexr_header(std::string_view bytes) {
     if (windows.display.right < windows.display.left || windows.display.bottom < windows.display.top)
         throw Error("damaged: it has no pixels");
     if (!windows.data.contains(windows.display))
-        throw Error(fmt::format("its pixels (data window: {}) do not fill the picture (display window: {}): save the "
-                                "whole picture",
-                                windows.data.text(), windows.display.text()));
+        throw Error(
+            fmt::format("its pixels (data window: {}) do not fill the picture (display window: {}): save the "
+                        "whole picture",
+                        windows.data.text(), windows.display.text()));
     return windows;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <optional>
+#include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
@@ -17,7 +18,9 @@ namespace {
 
 constexpr std::array ordinals = {"first", "second", "third", "fourth"};
 
-std::string texels_that_hold(size_t count) { return count == 1 ? "1 texel holds" : fmt::format("{} texels hold", count); }
+std::string texels_that_hold(size_t count) {
+    return count == 1 ? "1 texel holds" : fmt::format("{} texels hold", count);
+}
 
 bool varies(const Image& picture, int channel) {
     const size_t step = size_t(picture.channels);
@@ -50,8 +53,8 @@ void choose_channel(const Image& picture, Heights& result) {
     };
     if (is_grey && (varies(picture, 0) || !alpha_varies)) {
         if (alpha_varies)
-            result.notes.push_back(fmt::format("its {} channel, alpha, is not read: the heights are in its grey",
-                                               ordinals[size_t(last)]));
+            result.notes.push_back(
+                fmt::format("its {} channel, alpha, is not read: the heights are in its grey", ordinals[size_t(last)]));
         return;
     }
     if (!alpha_varies)
@@ -69,8 +72,8 @@ void choose_channel(const Image& picture, Heights& result) {
 
 /// Returns whether programs use a number to mark missing data.
 bool is_usual_mark(double value) {
-    constexpr std::array marks = {-32768.0, -32767.0, 32767.0, 32768.0, 65535.0, -9999.0,
-                                  9999.0,   -99999.0, 99999.0, -10000.0 /* -9999 as a half */};
+    constexpr std::array marks = {-32768.0, -32767.0, 32767.0,  32768.0, 65535.0,
+                                  -9999.0,  9999.0,   -99999.0, 99999.0, -10000.0 /* -9999 as a half */};
     return std::abs(value) >= 65504 || std::find(marks.begin(), marks.end(), value) != marks.end();  // the largest half
 }
 
@@ -86,7 +89,7 @@ std::optional<std::array<End, 2>> ends_of(const std::vector<float>& values, cons
     float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};  // the two lowest, the two highest
     for (size_t i = 0; i < values.size(); ++i) {
         const float value = values[i];
-        if (voids[i]) continue;
+        if (!voids.empty() && voids[i]) continue;
         if (value < low[0])
             low[1] = low[0], low[0] = value;
         else if (value > low[0] && value < low[1])
@@ -101,26 +104,29 @@ std::optional<std::array<End, 2>> ends_of(const std::vector<float>& values, cons
 }
 
 size_t mark_voids_of(float value, const std::vector<float>& values, std::vector<uint8_t>& voids) {
+    voids.resize(values.size());
     size_t count = 0;
     for (size_t i = 0; i < values.size(); ++i)
         if (values[i] == value) voids[i] = 1, ++count;
     return count;
 }
 
-/// Marks texels without a height, and adds a note for each mark of them.
+/// Marks texels without a height, if there are any, and adds a note for each mark of them.
 void find_voids(Heights& result) {
     const std::vector<float>& values = result.image.values;
-    std::vector<uint8_t> voids(values.size());
-    for (size_t i = 0; i < values.size(); ++i)
-        if (!std::isfinite(values[i])) voids[i] = 1, ++result.not_finite;
+    std::vector<uint8_t>& voids = result.voids;
+    result.not_finite = size_t(std::count_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }));
+    if (result.not_finite > 0) voids.resize(values.size());
+    for (size_t i = 0; i < voids.size(); ++i) voids[i] = !std::isfinite(values[i]);
     if (result.not_finite == values.size()) throw Error("has no height: all texels hold NaN or infinity");
     if (result.not_finite > 0)
         result.notes.push_back(fmt::format("{} NaN or infinity: voids, filled from the heights around them",
                                            texels_that_hold(result.not_finite)));
-    bool has_voids = result.not_finite > 0;
     const int bits = result.image.bits;
     const double unit = bits == 16 ? 65535 : 1;  // a picture of integers was stored in these steps
-    const auto shown = [&](float value) { return plain(bits == 16 ? std::round(double(value) * unit) : double(value)); };
+    const auto shown = [&](float value) {
+        return plain(bits == 16 ? std::round(double(value) * unit) : double(value));
+    };
     for (bool found = bits != 8; found;) {
         found = false;
         const auto ends = ends_of(values, voids);
@@ -139,14 +145,13 @@ void find_voids(Heights& result) {
                                                   texels_that_hold(mark_voids_of(end.value, values, marked)),
                                                   shown(end.value), shown(end.low), shown(end.high));
             if (is_void) {
-                voids = std::move(marked), has_voids = found = true;
+                voids = std::move(marked), found = true;
                 result.notes.push_back(about + ": voids, filled from the heights around them");
                 break;
             }
             result.notes.push_back(about + ": if it marks voids, give these texels a height");
         }
     }
-    if (has_voids) result.voids = std::move(voids);
 }
 
 /// Gives each void the weighted mean of the heights around it, from the finest level of a pyramid that has any there
@@ -200,15 +205,16 @@ void scale(Heights& result) {
     result.low = double(*lowest), result.high = double(*highest);
     const double range = result.high - result.low;
     for (float& value : values) value = range > 0 ? float((double(value) - result.low) / range) : 0;
-    result.notes.push_back(fmt::format("heights from {} to {} are scaled to 0 to 1", plain(result.low), plain(result.high)));
+    result.notes.push_back(
+        fmt::format("heights from {} to {} are scaled to 0 to 1", plain(result.low), plain(result.high)));
 }
 
 }  // namespace
 
-Heights heights_in(const Image& picture) {
+Heights heights_in(Image picture) {
     Heights result;
     choose_channel(picture, result);
-    result.image = channels_of(picture, result.channel, 1);
+    result.image = picture.channels == 1 ? std::move(picture) : channels_of(picture, result.channel, 1);
     find_voids(result);
     if (!result.voids.empty()) fill_voids(result.image, result.voids);
     scale(result);

@@ -25,14 +25,15 @@ struct Heights {
 /// Returns the heights of a picture with any values. Throws Error without a place for a picture with colours, and for
 /// one without any height.
 ///
-/// - A picture of one channel, or a grey one, holds heights in its first channel; alpha is no height. The last of two or
+/// - A picture of one channel, or a grey one, holds heights in its first channel; alpha is no height. The last of two
+/// or
 ///   four channels holds them if the others are all of one colour, or if the first three are a normal map. So it does
 ///   beside colours, as packed maps have it.
 /// - NaN, infinity and the marks of missing data (-9999, -32768, -3.4e38, 32768 in 16 bits ...) are voids. Of floats, a
 ///   mark is the lowest or highest value if it lies outside of [0, 1], and is farther from all others than these are
 ///   from each other. A void gets the weighted mean of the heights around it; the map repeats.
 /// - Floats beyond [0, 1], such as metres, are scaled so that the lowest is 0 and the highest is 1.
-Heights heights_in(const Image& picture);
+Heights heights_in(Image picture);
 
 /// Returns whether the first three channels of a picture differ by at most 0.02 on average: for floats, 0.02 of the
 /// range of the first channel. Texels that are not finite do not count. An image with fewer channels is grey.

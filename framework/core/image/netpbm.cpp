@@ -39,15 +39,16 @@ public:
             throw Error(fmt::format("its {} is '{}': it must be from 1 to {}", what, printable(text), largest));
         return *value;
     }
-    /// Returns the bytes after the single white space that ends the last word, of which `needed` hold the pixels. Throws
-    /// Error if a second white space follows, as when a program wrote text with CR LF.
+    /// Returns the bytes after the single white space that ends the last word, of which `needed` hold the pixels.
+    /// Throws Error if a second white space follows, as when a program wrote text with CR LF.
     std::string_view rest(size_t needed) const {
         const std::string_view rest = bytes_.substr(std::min(at_ + 1, bytes_.size()));
         const bool is_cr_lf = bytes_.substr(std::min(at_, bytes_.size())).starts_with("\r\n");
         if ((is_cr_lf && rest.size() > needed) || (rest.size() == needed + 1 && is_space(rest[0])))
-            throw Error(fmt::format("its header ends with {}: one byte too many, so all values would be off by a byte. "
-                                    "Write it with a line feed alone",
-                                    is_cr_lf ? "CR LF" : "two white spaces"));
+            throw Error(
+                fmt::format("its header ends with {}: one byte too many, so all values would be off by a byte. "
+                            "Write it with a line feed alone",
+                            is_cr_lf ? "CR LF" : "two white spaces"));
         return rest;
     }
 

@@ -77,7 +77,8 @@ Image oriented(Image stored, int orientation) {
     for (int y = 0; y < shown.height; ++y)
         for (int x = 0; x < shown.width; ++x) {
             const int column = on_its_side ? y : x, row = on_its_side ? x : y;
-            const float* const from = stored.pixel(from_right ? right - column : column, from_bottom ? bottom - row : row);
+            const float* const from =
+                stored.pixel(from_right ? right - column : column, from_bottom ? bottom - row : row);
             std::copy_n(from, stored.channels, shown.pixel(x, y));
         }
     return shown;

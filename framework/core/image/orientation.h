@@ -7,8 +7,8 @@
 
 namespace relief {
 
-/// Returns the orientation in the bytes of a JPEG or PNG file: 1 (as stored) to 8; 1 if there is none or no such number.
-/// Source: Exif 2.32 (CIPA DC-008), tag 274; PNG 3rd edition, chunk eXIf.
+/// Returns the orientation in the bytes of a JPEG or PNG file: 1 (as stored) to 8; 1 if there is none or no such
+/// number. Source: Exif 2.32 (CIPA DC-008), tag 274; PNG 3rd edition, chunk eXIf.
 int exif_orientation(std::string_view bytes);
 
 /// Returns a picture as it is to be shown: mirrored (2, 4), turned (3, 6, 8), or both (5, 7).

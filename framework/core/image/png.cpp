@@ -79,10 +79,34 @@ bool read_header(Reader& reader) {
     return true;
 }
 
-/// Reads all rows and the chunks after them. Returns false when libpng fails.
-bool read_rows(Reader& reader) {
+template <class Integer>
+void load(const png_byte* bytes, float* values, size_t count, float largest) {
+    for (size_t i = 0; i < count; ++i) {
+        Integer stored;
+        std::memcpy(&stored, bytes + i * sizeof stored, sizeof stored);
+        values[i] = float(stored) / largest;
+    }
+}
+void load(const Reader& reader, const png_byte* bytes, float* values, size_t count) {
+    if (reader.bits == 16)
+        load<uint16_t>(bytes, values, count, 65535);
+    else
+        load<uint8_t>(bytes, values, count, 255);
+}
+
+/// Reads all rows and the chunks after them: an interlaced picture as a whole, else row by row, which takes less
+/// memory. Returns false when libpng fails.
+bool read_rows(Reader& reader, Image& image) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
-    png_read_image(reader.png, reader.rows.data());
+    if (!reader.rows.empty()) {
+        png_read_image(reader.png, reader.rows.data());
+        load(reader, reader.bytes.data(), image.values.data(), image.values.size());
+    } else {
+        for (int y = 0; y < reader.height; ++y) {
+            png_read_row(reader.png, reader.bytes.data(), nullptr);
+            load(reader, reader.bytes.data(), image.pixel(0, y), size_t(image.width) * size_t(image.channels));
+        }
+    }
     png_read_end(reader.png, reader.info);
     return true;
 }
@@ -91,8 +115,7 @@ struct Writer {
     Stream stream;
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::vector<png_byte> bytes;
-    std::vector<png_bytep> rows;
+    std::vector<png_byte> bytes;  ///< of a row
     std::vector<std::string> words;
     std::vector<png_text> texts;
 
@@ -106,7 +129,16 @@ struct Writer {
     Writer& operator=(const Writer&) = delete;
 };
 
-bool write_all(Writer& writer, const Image& image, int bits, ColorSpace space) {
+template <class Integer>
+void store(const float* values, size_t count, png_byte* bytes, float largest) {
+    for (size_t i = 0; i < count; ++i) {
+        const float value = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;  // NaN becomes 0
+        const auto stored = Integer(value * largest + 0.5f);
+        std::memcpy(bytes + i * sizeof(Integer), &stored, sizeof stored);
+    }
+}
+
+bool write_all(Writer& writer, const Image& image, int bits, ColorSpace space, const PngRow& row) {
     constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGBA};
     png_structp png = writer.png;
     if (setjmp(png_jmpbuf(png))) return false;
@@ -121,28 +153,16 @@ bool write_all(Writer& writer, const Image& image, int bits, ColorSpace space) {
     png_write_info(png, writer.info);
     if constexpr (std::endian::native == std::endian::little)
         if (bits == 16) png_set_swap(png);
-    png_write_image(png, writer.rows.data());
+    const size_t count = size_t(image.width) * size_t(image.channels);
+    for (int y = 0; y < image.height; ++y) {
+        if (bits == 16)
+            store<uint16_t>(row(y), count, writer.bytes.data(), 65535);
+        else
+            store<uint8_t>(row(y), count, writer.bytes.data(), 255);
+        png_write_row(png, writer.bytes.data());
+    }
     png_write_end(png, nullptr);
     return true;
-}
-
-template <class Integer>
-void store(const std::vector<float>& values, std::vector<png_byte>& bytes, float largest) {
-    bytes.resize(values.size() * sizeof(Integer));
-    for (size_t i = 0; i < values.size(); ++i) {
-        const float value = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;  // NaN becomes 0
-        const auto stored = Integer(value * largest + 0.5f);
-        std::memcpy(bytes.data() + i * sizeof(Integer), &stored, sizeof stored);
-    }
-}
-
-template <class Integer>
-void load(const std::vector<png_byte>& bytes, std::vector<float>& values, float largest) {
-    for (size_t i = 0; i < values.size(); ++i) {
-        Integer stored;
-        std::memcpy(&stored, bytes.data() + i * sizeof stored, sizeof stored);
-        values[i] = float(stored) / largest;
-    }
 }
 
 std::vector<png_bytep> rows_of(std::vector<png_byte>& bytes, int count) {
@@ -160,13 +180,11 @@ Image decode_png(const std::string& bytes, Notes& notes) {
     const auto [width, height, channels] = std::tuple(reader.width, reader.height, reader.channels);
     check_image_size(width, height, channels);
     Image image(width, height, channels, reader.bits);
-    reader.bytes.resize(image.values.size() * size_t(reader.bits / 8));
-    reader.rows = rows_of(reader.bytes, height);
-    if (!read_rows(reader)) throw damaged();
-    if (reader.bits == 16)
-        load<uint16_t>(reader.bytes, image.values, 65535);
-    else
-        load<uint8_t>(reader.bytes, image.values, 255);
+    const size_t row = size_t(width) * size_t(channels) * size_t(reader.bits / 8);
+    const bool is_interlaced = png_get_interlace_type(reader.png, reader.info) != PNG_INTERLACE_NONE;
+    reader.bytes.resize(is_interlaced ? row * size_t(height) : row);
+    if (is_interlaced) reader.rows = rows_of(reader.bytes, height);
+    if (!read_rows(reader, image)) throw damaged();
     png_textp texts = nullptr;
     const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
     for (int i = 0; i < count; ++i)
@@ -176,15 +194,15 @@ Image decode_png(const std::string& bytes, Notes& notes) {
 }
 
 std::string encode_png(const Image& image, const Notes& notes, ColorSpace space) {
+    return encode_png(image, notes, space, [&](int y) { return image.pixel(0, y); });
+}
+
+std::string encode_png(const Image& image, const Notes& notes, ColorSpace space, const PngRow& row) {
     if (image.channels < 1 || image.channels > 4)
         throw Error(fmt::format("cannot encode: a PNG has 1 to 4 channels, not {}", image.channels));
     Writer writer;
     const int bits = image.bits == 16 ? 16 : 8;
-    if (bits == 16)
-        store<uint16_t>(image.values, writer.bytes, 65535);
-    else
-        store<uint8_t>(image.values, writer.bytes, 255);
-    writer.rows = rows_of(writer.bytes, image.height);
+    writer.bytes.resize(size_t(image.width) * size_t(image.channels) * size_t(bits / 8));
     for (const auto& [name, value] : notes) {
         writer.words.push_back(std::string(note_prefix) + name);
         writer.words.push_back(value);
@@ -196,7 +214,7 @@ std::string encode_png(const Image& image, const Notes& notes, ColorSpace space)
         text.text = writer.words[i + 1].data();
         text.text_length = writer.words[i + 1].size();
     }
-    if (!write_all(writer, image, bits, space)) throw Error("cannot encode: " + writer.stream.problem);
+    if (!write_all(writer, image, bits, space, row)) throw Error("cannot encode: " + writer.stream.problem);
     return std::move(writer.stream.to);
 }
 

@@ -56,11 +56,15 @@ bool has_normals(const Image& image) { return image.channels == 4; }
 
 /// Returns the heights of a user's picture. If the picture is a normal map with heights, it stays with them.
 Image own_heights(Image picture, std::vector<std::string>& notes) {
-    Heights heights = heights_in(picture);
-    notes = std::move(heights.notes);
-    if (heights.normals.values.empty()) return std::move(heights.image);
-    for (size_t i = 0; i < picture.pixel_count(); ++i) picture.values[4 * i + 3] = heights.image.values[i];
-    return picture;
+    Heights found = heights_in(std::move(picture));
+    notes = std::move(found.notes);
+    if (found.normals.values.empty()) return std::move(found.image);
+    Image both(found.image.width, found.image.height, 4, found.image.bits);
+    for (size_t i = 0; i < both.pixel_count(); ++i) {
+        std::copy_n(&found.normals.values[3 * i], 3, &both.values[4 * i]);
+        both.values[4 * i + 3] = found.image.values[i];
+    }
+    return both;
 }
 
 /// Returns the colours of a user's picture in three channels, as sRGB stores them. Pictures of floats hold light. A

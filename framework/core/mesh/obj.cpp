@@ -180,8 +180,8 @@ ObjModel read_obj(const fs::path& file, const ObjLimits& limits) {
                 } catch (const Error& error) {
                     std::error_code ignored;
                     notes.add(file, line,
-                              fmt::format("no materials: {}", fs::exists(library, ignored) ? error.what()
-                                                                                           : missing_file(library)));
+                              fmt::format("no materials: {}",
+                                          fs::exists(library, ignored) ? error.what() : missing_file(library)));
                 }
             }
         return materials;

@@ -2,13 +2,15 @@
 //
 // Reads v, vt, vn, f, s, usemtl and mtllib; ignores groups, lines, points and curves.
 // - Corners with the same indices of position, uv and normal share a vertex.
-// - Polygons are triangulated and keep their winding; see polygon.h. Of neighbouring corners at one position, one stays.
+// - Polygons are triangulated and keep their winding; see polygon.h. Of neighbouring corners at one position, one
+// stays.
 // - A corner without a normal, or with one of zero length, gets the mean of the faces at its position, weighted by
 //   their angles there (Thürmer and Wüthrich 1998). The mean is over its smoothing group, or over all faces before the
 //   first `s`. After `s off`, and where the mean is zero (a two-sided sheet), it gets its face's normal. If the face
 //   has no area, it gets +z.
 // - A corner without uv gets (0, 0). The others keep theirs.
-// - Positions are read in double precision. A model far from the origin is moved there before they are rounded to float:
+// - Positions are read in double precision. A model far from the origin is moved there before they are rounded to
+// float:
 //   see ObjModel::origin.
 // - Tangents do *not* follow the uv: vertex.tangent is any_perpendicular() of the normal, with w = 1, until the caller
 //   computes better ones.

@@ -571,8 +571,7 @@ private:
         }
         if (found.channel > 0)
             add("channel", Outcome::note, found.channel == 1 ? "second" : "fourth",
-                "the heights are in this channel: the others are all one colour",
-                {{"channel", double(found.channel)}});
+                "the heights are in this channel: the others are all one colour", {{"channel", double(found.channel)}});
         for (const std::string& note : found.notes)
             if (note.find("far from all others") != std::string::npos)
                 add("voids", voids > found.not_finite ? Outcome::fault : Outcome::note, "marked", note,

@@ -14,6 +14,7 @@
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/heights.h"
+#include "framework/core/image/png.h"
 #include "framework/core/mesh/gltf.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
@@ -41,9 +42,9 @@ Value value_of(const char* what, const std::string& word, const std::pair<const 
 
 /// Returns the heights in a file, and prints what was done to them on standard error.
 Image read_heights(const std::string& file) {
-    const Image picture = read_image(file);
+    Image picture = read_image(file);
     try {
-        Heights found = heights_in(picture);
+        Heights found = heights_in(std::move(picture));
         for (const std::string& note : found.notes) print_note(Error({file}, note).what());
         return std::move(found.image);
     } catch (const Error& error) {
@@ -101,17 +102,56 @@ Image combined(const std::vector<std::string>& words) {
     return image;
 }
 
-/// Returns the mean and the steepest slope of a normal map, as rise over run.
-std::pair<double, double> slopes_of(const Image& normals) {
-    double sum = 0, most = 0;
-    for (size_t i = 0; i < normals.pixel_count(); ++i) {
-        const float* texel = normals.values.data() + i * 3;
-        const double x = 2 * texel[0] - 1, y = 2 * texel[1] - 1, z = 2 * texel[2] - 1;
-        const double slope = std::hypot(x, y) / std::max(z, 1e-9);
-        sum += slope, most = std::max(most, slope);
+/// The mean and the steepest slope of a normal map, as rise over run.
+class SlopeSums {
+public:
+    /// Adds `count` texels of three channels.
+    void add(const float* texels, size_t count) {
+        for (size_t i = 0; i < count; ++i) {
+            const float* const texel = texels + i * 3;
+            const double x = 2 * texel[0] - 1, y = 2 * texel[1] - 1, z = 2 * texel[2] - 1;
+            const double slope = std::sqrt(x * x + y * y) / std::max(z, 1e-9);
+            sum_ += slope, most_ = std::max(most_, slope);
+        }
+        count_ += count;
     }
-    return {sum / double(normals.pixel_count()), most};
-}
+    double mean() const { return sum_ / double(count_); }
+    double most() const { return most_; }
+
+private:
+    double sum_ = 0, most_ = 0;
+    size_t count_ = 0;
+};
+
+/// Normals of heights, row by row from the top. Of all filters but the spline's it keeps only some rows.
+class NormalRows {
+public:
+    NormalRows(const Image& heights, const NormalOptions& options, bool is_up)
+        : heights_(heights), options_(options), is_up_(is_up) {
+        if (options.filter == SlopeFilter::spline) rows_ = normals_from_heights(heights, options);
+    }
+    /// Precondition: y is 0, or 1 more than in the last call.
+    float* row(int y) {
+        if (options_.filter != SlopeFilter::spline && y >= end_) {
+            begin_ = end_, end_ = std::min(begin_ + 128, heights_.height);
+            rows_ = Image(heights_.width, end_ - begin_, 3, 8);
+            normals_of_rows(heights_, options_, begin_, rows_);
+        }
+        float* const row = rows_.pixel(0, y - begin_);
+        for (int x = 0; x < (is_up_ ? 0 : heights_.width); ++x) row[3 * x + 1] = 1 - row[3 * x + 1];
+        sums_.add(row, size_t(heights_.width));
+        return row;
+    }
+    const SlopeSums& slopes() const { return sums_; }
+
+private:
+    const Image& heights_;
+    const NormalOptions& options_;
+    const bool is_up_;
+    Image rows_;  ///< from begin_ to end_, or all
+    int begin_ = 0, end_ = 0;
+    SlopeSums sums_;
+};
 
 /// Returns a guess of the gloss of a picture: its relative luminance (Rec. 709) in linear light, from 0 to 1. So bright
 /// places count as smooth; `inverted`, as rough. A picture does not show its gloss: a bright place may as well be
@@ -305,12 +345,21 @@ private:
         options.wrap = !no_wrap_;
         const Image heights = read_heights(files_[0]);
         options.texels_u = options.texels_v = depth * heights.width;
-        Image normals = normals_from_heights(heights, options);
-        if (!is_up) turn_green(normals);
-        const auto [mean, most] = slopes_of(normals);
-        std::string about = fmt::format("green {}, slopes {} on average and {} at most, ", is_up ? "up" : "down",
-                                        rounded(mean), rounded(most));
-        return {std::move(normals), std::move(about)};
+        NormalRows rows(heights, options, is_up);
+        const auto about = [&] {
+            return fmt::format("green {}, slopes {} on average and {} at most, ", is_up ? "up" : "down",
+                               rounded(rows.slopes().mean()), rounded(rows.slopes().most()));
+        };
+        if (format_of(output_) == ImageFormat::png) {
+            Image shape(heights.width, heights.height, 0, bits_.empty() ? 8 : bits());
+            shape.channels = 3;
+            std::string file = encode_png(shape, {}, ColorSpace::linear, [&](int y) { return rows.row(y); });
+            return {shape, fmt::format("{}{} bits", about(), shape.bits), std::move(file)};
+        }
+        Image normals(heights.width, heights.height, 3, 8);
+        for (int y = 0; y < heights.height; ++y)
+            std::copy_n(rows.row(y), size_t(heights.width) * 3, normals.pixel(0, y));
+        return {std::move(normals), about()};
     }
 
     MadeMap heights() const {

@@ -60,9 +60,10 @@ int judge(const std::string& file, bool as_json) {
     const Image picture = read_image(file);
     const synctest::SyncJudgement judgement = synctest::judge_synctest(picture);
     if (!judgement.shows_normals)
-        throw Error({file}, fmt::format("shows no normals{}: colours are to be 0.5 n + 0.5, in the space of the world or "
-                                        "the object",
-                                        judgement.problem.empty() ? "" : fmt::format(" ({})", judgement.problem)));
+        throw Error({file},
+                    fmt::format("shows no normals{}: colours are to be 0.5 n + 0.5, in the space of the world or "
+                                "the object",
+                                judgement.problem.empty() ? "" : fmt::format(" ({})", judgement.problem)));
     if (as_json)
         print_json(file, judgement);
     else

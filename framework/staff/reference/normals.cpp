@@ -66,8 +66,9 @@ InnerWeights inner_weights(SlopeFilter filter) {
 
 class Rows {
 public:
-    Rows(const Image& heights, const NormalOptions& options, Image& normals)
-        : heights_(heights), options_(options), normals_(normals), texels_(heights, options) {}
+    /// `normals` holds rows from `first` on.
+    Rows(const Image& heights, const NormalOptions& options, Image& normals, int first = 0)
+        : heights_(heights), options_(options), normals_(normals), first_(first), texels_(heights, options) {}
 
     void write(int y) const {
         const int width = heights_.width, height = heights_.height;
@@ -75,7 +76,7 @@ public:
         const int reach = options_.filter == SlopeFilter::fourth_order ? 2 : 1;
         const bool row_inside = options_.wrap || (y >= reach && y < height - reach);
         const int begin = std::min(reach, width), end = std::max(begin, width - reach);
-        float* const result = normals_.pixel(0, y);
+        float* const result = normals_.pixel(0, y - first_);
         const bool fast =
             row_inside && end - begin >= normals_row_lanes && write_inside(y, begin, end, result + 3 * begin);
         for (int x = 0; x < (fast ? begin : width); ++x) texels_.write(x, y, result + 3 * x);
@@ -102,6 +103,7 @@ private:
     const Image& heights_;
     const NormalOptions& options_;
     Image& normals_;
+    const int first_;
     TexelSlopes texels_;
 };
 
@@ -157,6 +159,13 @@ void normals_from_heights(const Image& heights, const NormalOptions& options, Im
     const Rows rows(heights, options, normals);
     parallel_pieces(size_t(heights.height), 8, threads, [&](size_t begin, size_t end) {
         for (size_t y = begin; y < end; ++y) rows.write(int(y));
+    });
+}
+
+void normals_of_rows(const Image& heights, const NormalOptions& options, int first, Image& normals) {
+    const Rows rows(heights, options, normals, first);
+    parallel_pieces(size_t(normals.height), 8, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y) rows.write(first + int(y));
     });
 }
 

@@ -16,6 +16,10 @@ Image normals_from_heights(const Image& heights, const NormalOptions& options);
 /// Writes into an existing image; its memory is reused if the size fits. `threads` 0: one per processor.
 void normals_from_heights(const Image& heights, const NormalOptions& options, Image& normals, unsigned threads = 0);
 
+/// Writes rows `first` to `first` + normals.height - 1 of that normal map, with the same bits. `normals` has the width
+/// of the heights and three channels. Preconditions: the filter is not `spline`, and there are no level strengths.
+void normals_of_rows(const Image& heights, const NormalOptions& options, int first, Image& normals);
+
 /// Returns a height map from a picture of 1 to 4 channels; alpha is ignored. The height is the relative luminance (Rec.
 /// 709, of linear light), encoded as sRGB grey. So a grey picture keeps its values, and heights are perceptually
 /// uniform.

@@ -27,9 +27,8 @@ glm::dvec3 direction_of(int axis) {
 inspect::Reading reading_of(const Image& picture) {
     inspect::Reading best;
     size_t most = 0;
-    std::vector<inspect::Reading> readings = {{},
-                                              {.curve = inspect::StoredCurve::srgb_added},
-                                              {.curve = inspect::StoredCurve::srgb_removed}};
+    std::vector<inspect::Reading> readings = {
+        {}, {.curve = inspect::StoredCurve::srgb_added}, {.curve = inspect::StoredCurve::srgb_removed}};
     if (picture.bits == 32) readings.insert(readings.begin(), {.is_signed = true});
     for (const inspect::Reading& reading : readings) {
         size_t unit = 0;
@@ -93,8 +92,8 @@ std::optional<std::array<int, 3>> axes_of_faces(const std::array<glm::dvec3, 3>&
     return axes;
 }
 
-/// Returns the mean unit normals of three faces, from any camera, by k-means; nothing if the picture does not show three
-/// directions.
+/// Returns the mean unit normals of three faces, from any camera, by k-means; nothing if the picture does not show
+/// three directions.
 std::optional<std::array<glm::dvec3, 3>> means_of_three_faces(const std::vector<glm::dvec3>& normals) {
     std::vector<glm::dvec3> units;
     for (const glm::dvec3& n : normals)
@@ -129,7 +128,8 @@ std::optional<std::array<glm::dvec3, 3>> means_of_three_faces(const std::vector<
     return means;
 }
 
-/// Explains why the vectors are no normals of world or object space, from the means of three faces; empty if they may be.
+/// Explains why the vectors are no normals of world or object space, from the means of three faces; empty if they may
+/// be.
 std::string problem_of(const std::array<glm::dvec3, 3>& means) {
     std::vector<double> aside;  // the two components that are most alike: 0, or what a curve made of 0
     double farthest = 0, least_right = 180, most_right = 0;

@@ -245,8 +245,8 @@ TEST_F(ImageFiles, ExrOfOtherProgramsIsReadAsOpenImageIoReadsIt) {
 
 /// Returns an OpenEXR file with other windows, each four numbers: left, top, right, bottom.
 std::string with_windows(std::string exr, const std::array<int32_t, 4>& data, const std::array<int32_t, 4>& display) {
-    for (const auto& [name, window] : {std::pair("dataWindow\0box2i\0\x10\0\0\0"s, data),
-                                       {"displayWindow\0box2i\0\x10\0\0\0"s, display}})
+    for (const auto& [name, window] :
+         {std::pair("dataWindow\0box2i\0\x10\0\0\0"s, data), {"displayWindow\0box2i\0\x10\0\0\0"s, display}})
         std::memcpy(&exr[exr.find(name) + name.size()], window.data(), 16);
     return exr;
 }

@@ -36,8 +36,8 @@ Image mountains() {
 TEST(Heights, OfOneChannelOrGreyStayAsTheyAreWithoutANote) {
     for (const int bits : {8, 16, 32})
         for (const int channels : {1, 2, 3, 4}) {
-            const Heights found =
-                heights_in(picture(channels, bits, [&](int x, int y, int c) { return c % 2 && c == channels - 1 ? 1 : slope(x, y); }));
+            const Heights found = heights_in(picture(
+                channels, bits, [&](int x, int y, int c) { return c % 2 && c == channels - 1 ? 1 : slope(x, y); }));
             EXPECT_EQ(found.image.values, slopes().values) << channels << " channels";
             EXPECT_EQ(found.image.bits, bits);
             EXPECT_EQ(found.channel, 0);
@@ -71,8 +71,8 @@ TEST(Heights, AreInTheLastChannelBesideOneColourOrColoursOrNormals) {
     EXPECT_EQ(normals.image.values, slopes().values);
     EXPECT_EQ(normals.normals.channels, 3);
     // A light grey has unit length as a vector, and is still grey.
-    const Heights light = heights_in(picture(
-        4, 8, [](int x, int y, int c) { return c == 3 ? slope(x, y) : 0.7f + 0.17f * other_slope(x, y); }));
+    const Heights light = heights_in(
+        picture(4, 8, [](int x, int y, int c) { return c == 3 ? slope(x, y) : 0.7f + 0.17f * other_slope(x, y); }));
     EXPECT_EQ(light.channel, 0);
 }
 
@@ -99,13 +99,13 @@ TEST(Heights, NanAndInfinityAreFilledFromTheHeightsAround) {
                     EXPECT_NEAR(height, slope(x, y), 4.0f / (side - 1));
             }
     }
-    EXPECT_TRUE(contains(message_of([] { heights_in(picture(1, 32, [](int, int, int) { return NAN; })); }), "no height"));
+    EXPECT_TRUE(
+        contains(message_of([] { heights_in(picture(1, 32, [](int, int, int) { return NAN; })); }), "no height"));
 }
 
 TEST(Heights, MetresAreScaledFromTheirOwnLeastToTheirGreatest) {
     const Heights found = heights_in(mountains());
-    for (size_t i = 0; i < found.image.values.size(); ++i)
-        EXPECT_NEAR(found.image.values[i], slopes().values[i], 1e-6);
+    for (size_t i = 0; i < found.image.values.size(); ++i) EXPECT_NEAR(found.image.values[i], slopes().values[i], 1e-6);
     EXPECT_EQ(found.low, 1047);
     EXPECT_EQ(found.high, 1270);
     EXPECT_EQ(found.notes, std::vector<std::string>{"heights from 1047 to 1270 are scaled to 0 to 1"});
@@ -117,8 +117,8 @@ TEST(Heights, MetresAreScaledFromTheirOwnLeastToTheirGreatest) {
 }
 
 TEST(Heights, AMarkOfMissingDataIsNamedWithItsCountAndFilled) {
-    for (const float mark : {-9999.0f, -32768.0f, -3.4e38f, -std::numeric_limits<float>::max(), 32768.0f, 1e20f, 65504.0f,
-                             0.0f, -777.0f}) {
+    for (const float mark : {-9999.0f, -32768.0f, -3.4e38f, -std::numeric_limits<float>::max(), 32768.0f, 1e20f,
+                             65504.0f, 0.0f, -777.0f}) {
         Image map = mountains();
         for (int y = 5; y < 8; ++y) *map.pixel(7, y) = mark;
         const Heights found = heights_in(map);
@@ -141,7 +141,8 @@ TEST(Heights, AValueThatIsNotFarFromTheOthersIsNoVoid) {
     EXPECT_TRUE(heights_in(sea).voids.empty());
     // A wall whose joints are at exactly 0 and whose bricks are nearly level.
     for (const int bits : {8, 16, 32}) {
-        const Image wall = picture(1, bits, [](int x, int y, int) { return x % 8 == 0 ? 0 : 0.95f + 0.05f * slope(x, y); });
+        const Image wall =
+            picture(1, bits, [](int x, int y, int) { return x % 8 == 0 ? 0 : 0.95f + 0.05f * slope(x, y); });
         const Heights found = heights_in(wall);
         EXPECT_EQ(found.image.values, wall.values);
         EXPECT_TRUE(found.voids.empty());

@@ -36,23 +36,24 @@ std::string png_with(const std::string& exif_bytes, const Image& image) {
 }
 
 /// The sides on which an orientation shows the first row and the first column, by the table of EXIF.
-struct Sides {
+struct ShownSides {
     const char *first_row, *first_column;
 };
-constexpr Sides sides[] = {{"top", "left"},  {"top", "right"},    {"bottom", "right"}, {"bottom", "left"},
-                           {"left", "top"},  {"right", "top"},    {"right", "bottom"}, {"left", "bottom"}};
+constexpr ShownSides sides_of_orientations[] = {{"top", "left"},     {"top", "right"},  {"bottom", "right"},
+                                                {"bottom", "left"},  {"left", "top"},   {"right", "top"},
+                                                {"right", "bottom"}, {"left", "bottom"}};
 
 TEST(Orientation, PutsTheFirstRowAndColumnOnTheSidesThatExifNames) {
     Image stored(3, 2, 1, 8);
     for (size_t i = 0; i < 6; ++i) stored.values[i] = float(i) / 255;  // first row 0 1 2, first column 0 3
     for (int orientation = 1; orientation <= 8; ++orientation) {
         const Image shown = oriented(stored, orientation);
-        const auto on_side = [&](const std::string& side, int i) {
-            const int x = side == "left" ? 0 : side == "right" ? shown.width - 1 : i;
-            const int y = side == "top" ? 0 : side == "bottom" ? shown.height - 1 : i;
+        const auto on_side = [&](const std::string& edge, int i) {
+            const int x = edge == "left" ? 0 : edge == "right" ? shown.width - 1 : i;
+            const int y = edge == "top" ? 0 : edge == "bottom" ? shown.height - 1 : i;
             return int(std::round(*shown.pixel(x, y) * 255));
         };
-        const auto [first_row, first_column] = sides[orientation - 1];
+        const auto [first_row, first_column] = sides_of_orientations[orientation - 1];
         const bool upright = orientation <= 4;
         ASSERT_EQ(shown.width, upright ? 3 : 2);
         ASSERT_EQ(shown.height, upright ? 2 : 3);

@@ -68,10 +68,12 @@ TEST_F(FileFeatures, OfObjAndMtlAreAsTheTableSays) {
          {"`Kd`, `Ks`",
           {mtl("Kd 1 0 0\nKs 1 1 1\nKe 0 0 1\nNs 20\nd 0.5\n"), mtl("Tr 0.5\n"), mtl("norm wall.png\n"),
            mtl("map_bump -bm 0.5 wall.png\n"), mtl("map_Kd wall.png\nmap_Ks wall.png\nmap_d wall.png\n")}},
-         {"other words", {mtl("Ka 1 1 1\n"), mtl("illum 2\n"), mtl("map_Kd -s 2 2 wall.png\n"),
-                          mtl("map_Kd -o 0.5 wall.png\n"), mtl("map_Kd -clamp on wall.png\n"), mtl("Tf 1 0 0\n")}},
+         {"other words",
+          {mtl("Ka 1 1 1\n"), mtl("illum 2\n"), mtl("map_Kd -s 2 2 wall.png\n"), mtl("map_Kd -o 0.5 wall.png\n"),
+           mtl("map_Kd -clamp on wall.png\n"), mtl("Tf 1 0 0\n")}},
          {"an absolute path",
-          {mtl("map_Kd /home/art/wall.png\n"), mtl("map_Kd C:\\art\\wall.png\n"), mtl("Kd 1 0 0\n", "/home/art/m.mtl")}},
+          {mtl("map_Kd /home/art/wall.png\n"), mtl("map_Kd C:\\art\\wall.png\n"),
+           mtl("Kd 1 0 0\n", "/home/art/m.mtl")}},
          {"a missing MTL", {mtl("", "none.mtl"), mtl("map_Kd none.png\n"), mtl("map_Kd Wall.png\n"), mtl("", "M.mtl")}},
          {"opacity 0", {mtl("d 0\n"), mtl("Tr 1\n")}}});
 }
@@ -92,7 +94,8 @@ Image varied(int channels, float scale = 1) {
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)
             for (int c = 0; c < channels; ++c)
-                image.pixel(x, y)[c] = scale * std::array{x / 7.0f, y / 7.0f, (x + y) / 14.0f, (x - y + 7) / 14.0f}[size_t(c)];
+                image.pixel(x, y)[c] =
+                    scale * std::array{x / 7.0f, y / 7.0f, (x + y) / 14.0f, (x - y + 7) / 14.0f}[size_t(c)];
     return image;
 }
 Image grey_with(const Image& alpha, float scale) {
@@ -130,8 +133,8 @@ TEST_F(FileFeatures, OfPicturesAreAsTheTableSays) {
         "pictures",
         {{"PNG of 1 to 16 bits",
           {bytes(encode_image(varied(3), ImageFormat::png)), bytes(exr), bytes(read_file(samples + "/tiles.exr")),
-           bytes(read_file(samples + "/grey.jpg")), bytes("P5 1 1 255\nx"), bytes(encode_image(varied(3), ImageFormat::ppm)),
-           bytes(encode_image(varied(1), ImageFormat::pfm))}},
+           bytes(read_file(samples + "/grey.jpg")), bytes("P5 1 1 255\nx"),
+           bytes(encode_image(varied(3), ImageFormat::ppm)), bytes(encode_image(varied(1), ImageFormat::pfm))}},
          {"colour profiles", {bytes(encode_image(varied(3), ImageFormat::png, {}, ColorSpace::linear))}},
          {"EXIF orientation", {bytes(encode_image(varied(3), ImageFormat::png))}},  // orientation_test.cpp has all
          {"OpenEXR whose data window is larger", {bytes(with_display(exr, {1, 1, 6, 6}))}},

@@ -210,15 +210,14 @@ TEST(ObjMaterials, AMissingFileIsANoteAndTheOthersAreRead) {
 }
 
 TEST(ObjMaterials, AFileOfAnotherMachineIsLookedForBesideTheModel) {
-    for (const char* elsewhere :
-         {"/home/art/proj/textures/wall.png", "C:\\art\\wall.png", "d:/art/wall.png", "\\\\server\\art\\wall.png", "C:wall.png"})
+    for (const char* elsewhere : {"/home/art/proj/textures/wall.png", "C:\\art\\wall.png", "d:/art/wall.png",
+                                  "\\\\server\\art\\wall.png", "C:wall.png"})
         EXPECT_EQ(material(std::string("norm ") + elsewhere + "\n").normal_map, "m/wall.png") << elsewhere;
     const TemporaryFolder folder;
     const fs::path there = folder.write("there.png", "");
     EXPECT_EQ(material("norm " + there.string() + "\n").normal_map, there) << "a path of this machine";
     folder.write("a.mtl", "newmtl a\nKd 1 0 0\n");
-    const ObjModel model =
-        read_obj(folder.write("a.obj", square + "mtllib /home/art/proj/a.mtl\nusemtl a\nf 1 2 3\n"));
+    const ObjModel model = read_obj(folder.write("a.obj", square + "mtllib /home/art/proj/a.mtl\nusemtl a\nf 1 2 3\n"));
     EXPECT_EQ(model.materials.at(0).diffuse, glm::vec3(1, 0, 0));
     EXPECT_TRUE(model.notes.empty());
 }

@@ -286,8 +286,8 @@ TEST_F(MapCommand, BakesModelsFarFromTheOriginByOneCentre) {
     const glm::dvec3 far(432100, 250, 5412300);
     square("fine.obj", 48, wave), square("coarse.obj", 1, flat);
     square("far_fine.obj", 48, wave, true, far), square("far_coarse.obj", 1, flat, true, far);
-    for (const auto& [fine, coarse, to] : {std::array{"fine.obj", "coarse.obj", "near.exr"},
-                                           std::array{"far_fine.obj", "far_coarse.obj", "far.exr"}}) {
+    for (const auto& [fine, coarse, to] :
+         {std::array{"fine.obj", "coarse.obj", "near.exr"}, std::array{"far_fine.obj", "far_coarse.obj", "far.exr"}}) {
         const Result result = relief({"map", "bake", fine, coarse, "-o", to, "--size", "64"});
         ASSERT_EQ(result.code, 0) << result.err;
         EXPECT_TRUE(contains(result.out, "4096 hit, 0 missed")) << result.out;

@@ -138,13 +138,15 @@ TEST(Synctest, ColoursThatAreNoNormalsOfWorldOrObjectAreToldFromWrongFrames) {
         {
             const SyncFrame frame = moved ? SyncFrame::interpolated : SyncFrame::gram_schmidt;
             EXPECT_TRUE(contains(problem_of_shot({frame, {}}, moved, in_camera), "space of the camera")) << moved;
-            EXPECT_TRUE(contains(problem_of_shot({frame, {}}, moved, each([](double c) { return linear_from_srgb(c); })),
-                                 "decoded from sRGB"))
+            EXPECT_TRUE(
+                contains(problem_of_shot({frame, {}}, moved, each([](double c) { return linear_from_srgb(c); })),
+                         "decoded from sRGB"))
                 << moved;
             for (const double exposure : {0.5, 0.8, 0.95, 1.2})
                 EXPECT_NE(problem_of_shot({frame, {}}, moved, each([=](double c) { return exposure * c; })), "")
                     << exposure << moved;
-            EXPECT_NE(problem_of_shot({frame, {}}, moved, each([](double c) { return c / (c + 0.3); })), "") << "a curve";
+            EXPECT_NE(problem_of_shot({frame, {}}, moved, each([](double c) { return c / (c + 0.3); })), "")
+                << "a curve";
             EXPECT_NE(problem_of_shot({frame, {}}, moved, each([](double c) { return std::pow(c, 1 / 1.8); })), "");
         }
     }
