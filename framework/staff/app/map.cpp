@@ -434,15 +434,15 @@ private:
         const bool is_up = is_green_up();
         if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
-        ModelFile from = read_model(files_[0]);
+        ModelFile upper = read_model(files_[0]);
         const ModelFile onto = read_coarse(files_[1]);
         const Mesh& coarse = onto.model.mesh;
-        for (const ModelFile* const model : {&std::as_const(from), &onto})
+        for (const ModelFile* const model : {&std::as_const(upper), &onto})
             for (const std::string& note : model->notes) print_note(note);
         // Both models are moved by one origin before they are rounded to float.
-        for (Vertex& vertex : from.model.mesh.vertices)
-            vertex.position = glm::dvec3(vertex.position) + (from.origin - onto.origin);
-        const Mesh& fine = from.model.mesh;
+        for (Vertex& vertex : upper.model.mesh.vertices)
+            vertex.position = glm::dvec3(vertex.position) + (upper.origin - onto.origin);
+        const Mesh& fine = upper.model.mesh;
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");
         options.before_part = progress.before_part();
