@@ -356,7 +356,7 @@ TEST(Arrows, FindAPlantedUpwardInclude) {
         {"framework/course/inspect/inspect.h", "framework/staff/reference/march.h", false},
         {"labs/07_baking/lab.cpp", "framework/course/inspect/inspect.h", false},
         {"framework/course/app/shot.cpp", "framework/staff/grade/mistake_pictures.h", false},
-        {"framework/core/mesh/obj.cpp", "framework/staff/reference/tangents.h", false},
+        {"framework/core/mesh/obj.cpp", "framework/staff/reference/bake.h", false},
         {"framework/staff/app/bench.cpp", "framework/staff/measure/bench.h", true},
         {"framework/staff/app/bench.cpp", "framework/course/app/command.h", true},
         {"framework/staff/measure/bench.h", "framework/course/window/menu.h", false},

@@ -4,8 +4,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/core/mesh/shapes.h"
+#include "framework/core/mesh/tangents.h"
 #include "framework/staff/reference/bake.h"
-#include "framework/staff/reference/tangents.h"
 
 namespace relief {
 namespace {

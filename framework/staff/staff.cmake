@@ -6,8 +6,7 @@ file(GLOB reference_sources CONFIGURE_DEPENDS framework/staff/reference/*.cpp)
 add_library(relief_reference OBJECT ${reference_sources})
 target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE nlohmann_json::nlohmann_json relief_warnings)
 # Suppresses the warning about the ABI of vector arguments: all functions that take them are inlined.
-set_source_files_properties(framework/staff/reference/normals_row.cpp framework/staff/reference/tangent_faces.cpp
-  PROPERTIES COMPILE_OPTIONS -Wno-psabi)
+set_source_files_properties(framework/staff/reference/normals_row.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 relief_takes_precompiled_headers(relief_reference)
 relief_in_batches(relief_reference)
 add_library(relief_truth SHARED $<TARGET_OBJECTS:relief_reference>)

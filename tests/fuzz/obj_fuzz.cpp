@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "framework/core/mesh/obj.h"
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

@@ -16,13 +16,13 @@
 #include "framework/core/image/heights.h"
 #include "framework/core/image/png.h"
 #include "framework/core/mesh/gltf.h"
+#include "framework/core/mesh/tangents.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/staff/reference/bake.h"
 #include "framework/staff/reference/bc5.h"
 #include "framework/staff/reference/normals.h"
 #include "framework/staff/reference/occlusion.h"
-#include "framework/staff/reference/tangents.h"
 
 namespace relief::app {
 namespace {

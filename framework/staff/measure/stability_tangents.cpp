@@ -4,12 +4,12 @@
 #include <limits>
 #include <random>
 
+#include "framework/core/mesh/tangents.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
-#include "framework/staff/reference/tangents.h"
 
 namespace relief::measure {
 namespace {

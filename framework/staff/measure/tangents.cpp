@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "framework/core/base/parallel.h"
+#include "framework/core/mesh/tangents.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
-#include "framework/staff/reference/tangents.h"
 
 namespace relief::measure {
 

@@ -3,7 +3,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/kit/numbers.h"
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 
 namespace relief::basis {
 namespace {

@@ -9,7 +9,7 @@
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/mesh/shapes.h"
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 #include "tests/core/mesh/gltf_file.h"
 #include "tests/course/app/course_copy.h"
 

@@ -7,8 +7,8 @@
 
 #include "framework/core/mesh/parallelogram.h"
 #include "framework/core/mesh/shapes.h"
+#include "framework/core/mesh/tangents.h"
 #include "framework/staff/reference/degrees.h"
-#include "framework/staff/reference/tangents.h"
 #include "tests/support.h"
 
 namespace relief {

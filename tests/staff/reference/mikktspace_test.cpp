@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "framework/core/mesh/shapes.h"
+#include "framework/core/mesh/tangents.h"
 #include "framework/staff/reference/degrees.h"
-#include "framework/staff/reference/tangents.h"
 #include "tests/core/mesh/test_meshes.h"
 
 namespace relief {

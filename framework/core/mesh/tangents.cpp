@@ -1,4 +1,4 @@
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/mesh/corners.h"
 #include "framework/core/mesh/frame.h"
-#include "framework/staff/reference/tangent_groups.h"
+#include "framework/core/mesh/tangent_groups.h"
 
 namespace relief {
 namespace {

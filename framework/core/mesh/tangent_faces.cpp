@@ -1,4 +1,4 @@
-#include "framework/staff/reference/tangent_faces.h"
+#include "framework/core/mesh/tangent_faces.h"
 
 #include <algorithm>
 #include <cmath>

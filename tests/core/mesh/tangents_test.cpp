@@ -1,5 +1,5 @@
 // Tangents: usable for any mesh, split where necessary, and as accurate as their weights allow.
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/mesh/shapes.h"
+#include "framework/core/mesh/tangent_faces.h"
 #include "framework/staff/reference/degrees.h"
-#include "framework/staff/reference/tangent_faces.h"
 #include "tests/core/mesh/test_meshes.h"
 #include "tests/support.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/core/mesh/corners.h"
-#include "framework/staff/reference/tangent_faces.h"
+#include "framework/core/mesh/tangent_faces.h"
 
 namespace relief {
 

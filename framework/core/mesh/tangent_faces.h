@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "framework/core/mesh/corners.h"
-#include "framework/staff/reference/tangents.h"
+#include "framework/core/mesh/tangents.h"
 
 namespace relief {
 

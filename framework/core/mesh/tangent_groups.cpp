@@ -1,4 +1,4 @@
-#include "framework/staff/reference/tangent_groups.h"
+#include "framework/core/mesh/tangent_groups.h"
 
 #include <algorithm>
 
