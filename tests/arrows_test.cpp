@@ -104,7 +104,6 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
              file != "framework/staff/measure/peers_module.cpp") ||
             ((include.starts_with("librsvg/") || include.starts_with("cairo")) &&
              file != "framework/course/pages/librsvg.cpp") ||
-            (include == "tiny_gltf.h" && file != "framework/core/mesh/tinygltf.cpp") ||
             (archive && file != "framework/staff/grade/libarchive.cpp") ||
             (include == "glib.h" && file != "framework/staff/grade/glib.cpp") ||
             (include == "seccomp.h" && file != "framework/staff/grade/system_calls.cpp") ||
@@ -397,7 +396,6 @@ TEST(Arrows, FindAPlantedUpwardInclude) {
 TEST(Arrows, FindAPlantedForeignLibrary) {
     EXPECT_FALSE(wrong_libraries("framework/core/image/file.cpp", "#include <OpenImageIO/imageio.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/course/pages/svg.cpp", "#include <librsvg/rsvg.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/core/mesh/gltf.cpp", "#include <tiny_gltf.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/core/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/core/context/window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("labs/07_baking/lab.cpp", "#include <imgui.h>\n").empty());

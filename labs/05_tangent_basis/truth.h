@@ -1,4 +1,4 @@
-// The exact values of lab 05's probes, and tangents by MikkTSpace.
+// The exact values of lab 05's probes.
 #pragma once
 
 #include "framework/core/base/from_staff.h"
@@ -13,8 +13,5 @@ namespace relief::basis {
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
                                       double shear)>
     truth;
-
-/// Returns the mesh with tangents by MikkTSpace, after its published semantics.
-inline FromStaff<Mesh(const Mesh& mesh)> with_mikktspace;
 
 }  // namespace relief::basis

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/base/error.h"
 #include "framework/core/mesh/frame.h"
-#include "truth.h"
+#include "framework/core/mesh/tangents.h"
 
 namespace relief::basis {
 namespace {
@@ -98,9 +97,7 @@ Mesh with_tangents(const Mesh& mesh, Method method, Axis axis) {
         case angle:
             return with_means(mesh, Weight::angle, axis);
         case mikktspace:
-            if (!with_mikktspace)
-                throw Error("MikkTSpace is not in this course: it holds what tasks 5.1 to 5.3 ask for");
-            return with_mikktspace(mesh);
+            return relief::with_tangents(mesh, TangentMethod::mikktspace);
         default:
             return mesh;
     }

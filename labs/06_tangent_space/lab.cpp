@@ -12,7 +12,7 @@
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
-#include "framework/core/kit/own_mesh.h"
+#include "framework/core/kit/own_maps.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "scene.h"
@@ -31,6 +31,7 @@ public:
             draw_surface(frame_in(frame, tiles[i]), tiles[i], way);
             if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
         }
+        if (shape() == frames::Shape::own) labels_.notes(frame.size, own_mesh_.notes());
         labels_.draw(frame);
     }
 
@@ -78,7 +79,7 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
         if (shape() == frames::Shape::own) return {};
-        if (normals_from_ == from_map && (map_ == own || (map_ == of_model && own_mesh_.normal_map()))) return {};
+        if (normals_from_ == from_map && (map_ == own || has_model_maps())) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;
         // Without a tangent, the direction of the bumps is undefined.
         if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
@@ -162,13 +163,16 @@ private:
         surface.set("u_strength", strength_);
         surface.set("u_turn", glm::radians(turn()));
         surface.set("s_normals", 0,
-                    map_ == bricks                               ? bricks_
-                    : map_ == own                                ? own_texture()
-                    : map_ == of_model && own_mesh_.normal_map() ? model_texture()
-                                                                 : texel_);
+                    map_ == bricks     ? bricks_
+                    : map_ == own      ? own_texture()
+                    : has_model_maps() ? own_maps_.first()
+                                       : texel_);
         const GpuMesh& mesh = mesh_of(shape());
         glBindVertexArray(mesh.layout());
-        glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+        if (map && has_model_maps() && shape() == frames::Shape::own)
+            own_maps_.draw();
+        else
+            glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
     const GpuMesh& mesh_of(frames::Shape shape) const {
@@ -204,11 +208,7 @@ private:
         return own_model_.get({own_mesh_.version()},
                               [this] { return upload([this] { return own_mesh_.mesh_with_tangents(); }); });
     }
-    const Texture& model_texture() const {
-        return model_texture_.get({own_mesh_.version()}, [this] {
-            return Texture("the model's map", [this] { return *own_mesh_.normal_map(); });
-        });
-    }
+    bool has_model_maps() const { return map_ == of_model && !own_mesh_.normal_maps().empty(); }
     static Image flat_texel() {
         Image image(1, 1, 3);
         image.values = {0.5f, 0.5f, 1};
@@ -221,8 +221,8 @@ private:
     OwnPicture own_{own_normals};
     mutable Kept<Texture, int> own_texture_;  ///< by the picture
     OwnMesh own_mesh_{1.25};
-    mutable Kept<GpuMesh, int> own_model_;      ///< by the model
-    mutable Kept<Texture, int> model_texture_;  ///< by the model
+    mutable Kept<GpuMesh, int> own_model_;  ///< by the model
+    OwnMaps own_maps_{own_mesh_};
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
     GpuMesh cube_ = upload([] { return make_box(frames::cube); });

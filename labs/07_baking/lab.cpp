@@ -8,6 +8,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/made_map.h"
+#include "framework/core/kit/own_maps.h"
 #include "framework/core/lab/lab.h"
 #include "views.h"
 
@@ -43,6 +44,7 @@ public:
             }
             if (!view.title.empty()) labels_.caption(frame.size, view.tile, 0, view.title);
         }
+        if (settings_.is_own()) labels_.notes(frame.size, settings_.own.coarse.notes());
         labels_.draw(frame);
     }
 
@@ -90,14 +92,14 @@ private:
         if (has_map) {
             surface.set("s_map", 0);
             surface.set("u_level", level());
-            if (view.wears_file)
-                surface.set("s_map", 0, file_map());
-            else
-                baker_.bake(recipe).map.bind(0);
+            if (!view.wears_file) baker_.bake(recipe).map.bind(0);
         }
         const GpuMesh& mesh = shown == Shown::high ? baker_.high(recipe).uploaded : baker_.low(recipe, other_diagonal);
         glBindVertexArray(mesh.layout());
-        glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+        if (has_map && view.wears_file)
+            file_maps_.draw();
+        else
+            glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
     /// Draws the map: over the whole frame for a probe, and otherwise in the largest square of the tile.
@@ -128,12 +130,6 @@ private:
     /// Returns the mip level that is read, where it is only one.
     float level() const { return float(std::max(0, settings_.level - 1)); }
 
-    const Texture& file_map() {
-        const OwnMesh& model = settings_.own.coarse;
-        return file_map_.get({model.version()},
-                             [&model] { return Texture("the file's map", [&model] { return *model.normal_map(); }); });
-    }
-
     const std::vector<DrawnLine>& cut_of(const Baked& baked) {
         return cut_lines_.get({baked.recipe, baked.programs, settings_.cut}, [&] {
             return cut_lines(baked.recipe, baker_.high(baked.recipe).mesh, baked.texels.read(1), settings_.cut);
@@ -160,7 +156,7 @@ private:
     }
 
     Settings settings_;
-    Kept<Texture, int> file_map_;  ///< by the coarse model
+    OwnMaps file_maps_{settings_.own.coarse};
     Programs surface_{"07_baking/surface.vert", "07_baking/surface.frag"};
     Programs map_{"common/window.vert", "07_baking/map.frag"};
     Baker baker_;

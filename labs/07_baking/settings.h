@@ -38,7 +38,7 @@ struct Settings {
     OwnModels own;
 
     bool is_own() const { return Shape(shape) == Shape::own; }
-    bool has_file_map() const { return is_own() && own.coarse.normal_map(); }
+    bool has_file_map() const { return is_own() && !own.coarse.normal_maps().empty(); }
 
     size_t low_triangles() const {
         return is_own() ? own.coarse.mesh().indices.size() / 3 : low_finenesses[size_t(low)].triangles(whorls);

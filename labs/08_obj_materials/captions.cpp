@@ -30,14 +30,4 @@ void list_materials(Labels& labels, glm::ivec2 size, const Tile& tile, const Sce
     }
 }
 
-void write_notes(Labels& labels, glm::ivec2 size, const Scene& scene) {
-    const float line = Labels::line_height(size) * 0.62f;
-    float top = float(size.y) - 1.3f * line * float(scene.notes.size() + 1);
-    for (const std::string& whole : scene.notes) {
-        const std::string note = whole.substr(whole.rfind('/', whole.find(':')) + 1);  // without the folder
-        labels.text(note, {line, top}, std::min(line, 1.8f * float(size.x) / float(note.size() + 4)));
-        top += 1.3f * line;
-    }
-}
-
 }  // namespace relief::materials

@@ -10,7 +10,4 @@ namespace relief::materials {
 /// number of a material, from 1 on, or 0.
 void list_materials(Labels& labels, glm::ivec2 size, const Tile& tile, const Scene& scene, int highlight);
 
-/// Writes the scene's notes along the lower edge.
-void write_notes(Labels& labels, glm::ivec2 size, const Scene& scene);
-
 }  // namespace relief::materials

@@ -42,6 +42,7 @@ public:
         }
         glDisable(GL_SCISSOR_TEST);
         if (shows_error) labels_.log_scale(frame.size, "0.01", "100 texels", 4);
+        labels_.notes(frame.size, surface_.notes());
         labels_.draw(frame);
     }
 

@@ -38,6 +38,10 @@ Format format_of(const Texels& texels) {
     return {floats[i], external[i], GL_FLOAT};
 }
 
+GLint wrap_of(Wrap wrap) {
+    return wrap == Wrap::repeat ? GL_REPEAT : wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
+}
+
 /// Returns how many samples a filtered read takes along its longer axis.
 float anisotropy_of(const TextureOptions& options) {
     return options.anisotropy.value_or(is_software_renderer() || draws_comparably() ? 1.0f : 8.0f);
@@ -66,10 +70,11 @@ Texture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 Texture::operator GLuint() const {
     if (!loaded_ && is_asset_) {
         // The key has the course's root and all sampling options: a process may read several courses.
-        using Key = std::tuple<std::string, ColorSpace, Wrap, bool, float>;
+        using Key = std::tuple<std::string, ColorSpace, Wrap, Wrap, bool, float>;
         static std::map<Key, std::weak_ptr<const Loaded>> assets;
-        std::weak_ptr<const Loaded>& shared = assets[Key((course_root() / title_).string(), options_.space,
-                                                         options_.wrap, options_.mips, anisotropy_of(options_))];
+        std::weak_ptr<const Loaded>& shared =
+            assets[Key((course_root() / title_).string(), options_.space, options_.wrap,
+                       options_.wrap_v.value_or(options_.wrap), options_.mips, anisotropy_of(options_))];
         loaded_ = shared.lock();
         if (loaded_)
             counters().shared_bytes += loaded_->bytes;
@@ -113,9 +118,8 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
                     layered         ? GL_NEAREST
                     : options_.mips ? GL_LINEAR_MIPMAP_LINEAR
                                     : GL_LINEAR);
-    const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap_of(options_.wrap));
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap_of(options_.wrap_v.value_or(options_.wrap)));
     const float anisotropy = anisotropy_of(options_);
     if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && !layered && anisotropy > 1) {
         float max_anisotropy = 1;

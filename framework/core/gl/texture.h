@@ -14,11 +14,12 @@
 
 namespace relief {
 
-enum class Wrap { repeat, clamp };
+enum class Wrap { repeat, clamp, mirror };
 
 struct TextureOptions {
     ColorSpace space = ColorSpace::linear;
     Wrap wrap = Wrap::repeat;
+    std::optional<Wrap> wrap_v = {};  ///< along v, if it differs from `wrap`
     /// Trilinear filtering over the levels of mip_chain(); else bilinear filtering of level 0 only.
     bool mips = true;
     /// More than 1: the picture is cut into this many layers of equal height, for a 2-D array texture. Layer 0 is the

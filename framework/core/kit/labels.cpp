@@ -46,6 +46,16 @@ bool Labels::leaves_out(PictureWord word) {
     return true;
 }
 
+void Labels::notes(glm::ivec2 size, const std::vector<std::string>& notes) {
+    const float line = line_height(size) * 0.62f;
+    float top = float(size.y) - 1.3f * line * float(notes.size() + 1);
+    for (const std::string& whole : notes) {
+        const std::string note = whole.substr(whole.rfind('/', whole.find(':')) + 1);
+        text(note, {line, top}, std::min(line, 1.8f * float(size.x) / float(note.size() + 4)));
+        top += 1.3f * line;
+    }
+}
+
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) {
     if (leaves_out({.kind = PictureWord::Kind::box, .place = place, .size = size, .color = color})) return;
     quad(place, size, {0, -1}, {0, -1}, color);

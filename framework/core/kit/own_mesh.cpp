@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/log.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/mesh/shapes.h"
-#include "framework/core/mesh/uv_tangents.h"
+#include "framework/core/mesh/tangents.h"
 
 namespace relief {
 namespace {
@@ -61,11 +62,11 @@ Mesh with_projected_uv(const Mesh& mesh, const glm::dvec3& half, double side) {
     return result;
 }
 
-/// Returns the picture of a model's normal map, with its scale in x and y.
-Image decoded_normals(const GltfModel& model) {
+/// Returns the picture of a normal map, with its scale in x and y.
+Image decoded_normals(const GltfNormalMap& map) {
     Image picture;
     try {
-        picture = decode_image(model.normal_map);
+        picture = decode_image(map.picture);
         if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
     } catch (const Error& error) {
         throw Error(std::string("its normal map: ") + error.what());
@@ -74,10 +75,10 @@ Image decoded_normals(const GltfModel& model) {
     for (size_t i = 0; i < picture.values.size(); i += 3) {
         float* const texel = &picture.values[i];
         glm::dvec3 normal = 2.0 * glm::dvec3(texel[0], texel[1], texel[2]) - 1.0;
-        normal.x *= model.normal_scale, normal.y *= model.normal_scale;
+        normal.x *= map.scale, normal.y *= map.scale;
         const double length = glm::length(normal);
         const bool is_normal = std::isfinite(length) && length > 0;
-        if (is_normal && model.normal_scale == 1) continue;
+        if (is_normal && map.scale == 1) continue;
         for (int c = 0; c < 3; ++c) texel[c] = is_normal ? float(0.5 * normal[c] / length + 0.5) : c == 2 ? 1 : 0.5f;
     }
     return picture;
@@ -102,17 +103,6 @@ Mesh prepared_model(Mesh mesh, bool has_uvs, double radius) {
     return with_projected_uv(mesh, 0.5 * size, std::max({size.x, size.y, size.z}));
 }
 
-Mesh with_face_tangents(const Mesh& mesh) {
-    Mesh corners;
-    corners.vertices.reserve(mesh.indices.size()), corners.indices.reserve(mesh.indices.size());
-    for (const uint32_t index : mesh.indices) {
-        corners.indices.push_back(uint32_t(corners.vertices.size()));
-        corners.vertices.push_back(mesh.vertices[index]);
-    }
-    set_uv_tangents(corners);
-    return corners;
-}
-
 double metres_per_uv(const Mesh& mesh) {
     double area = 0, in_uv = 0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -124,27 +114,35 @@ double metres_per_uv(const Mesh& mesh) {
     return std::isfinite(side) && side > 0 ? side : 1;
 }
 
+Mesh OwnMesh::mesh_with_tangents() const {
+    return has_all_tangents_ ? mesh_ : with_tangents(mesh_, TangentMethod::mikktspace);
+}
+
 std::vector<std::string> OwnMesh::load(const std::filesystem::path& file) {
     GltfModel model;
-    glm::dvec3 origin(0);
     std::vector<std::string> notes;
-    if (is_named_as_gltf(file)) {
+    const bool is_gltf = is_named_as_gltf(file);
+    if (is_gltf) {
         model = read_gltf(file);
+        for (const std::string& note : model.notes) notes.push_back(Error({file.filename()}, note).what());
     } else {
         ObjModel obj = read_obj(file);
-        model = {std::move(obj.mesh), obj.has_uvs};
-        origin = obj.origin, notes = std::move(obj.notes);
+        model.mesh = std::move(obj.mesh), model.has_uvs = obj.has_uvs, model.centre = obj.origin;
+        notes = std::move(obj.notes);
     }
     if (!model.has_uvs) notes.push_back(Error({file}, "has no uv: they are made by projection along the axes").what());
     try {
-        std::optional<Image> normal_map;
-        if (!model.normal_map.empty()) normal_map = decoded_normals(model);
+        std::vector<OwnNormalMap> normal_maps;
+        for (const GltfNormalMap& map : model.normal_maps)
+            normal_maps.push_back({decoded_normals(map), map.wrap_u, map.wrap_v});
         Placement placement = placement_of(model.mesh, radius_);
-        placement.middle += origin;
+        placement.middle += model.centre;
         mesh_ = prepared_model(std::move(model.mesh), model.has_uvs, radius_);
         placement_ = placement;
-        has_tangents_ = model.has_tangents && model.has_uvs;  // tangents follow uv
-        normal_map_ = std::move(normal_map);
+        has_tangents_ = model.has_tangents;
+        has_all_tangents_ = is_gltf && model.has_uvs;  // tangents follow uv
+        normal_maps_ = std::move(normal_maps), parts_ = std::move(model.parts);
+        if (parts_.empty()) parts_ = {{0, uint32_t(mesh_.indices.size())}};
         return notes;
     } catch (const Error& error) {
         throw Error({file}, error.what());

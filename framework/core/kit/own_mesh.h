@@ -1,7 +1,8 @@
 // A model of the user, which a knob accepts in addition to its named shapes: --set shape=FILE.obj, or a glTF file.
 #pragma once
 
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "framework/core/base/own_file.h"
 #include "framework/core/image/image.h"
@@ -31,29 +32,33 @@ inline glm::dvec3 placed(const glm::dvec3& place, const Placement& from, const P
     return to.scale * (place / from.scale + from.middle - to.middle);
 }
 
-/// Returns the mesh with a vertex for each corner, which has the tangent of its triangle, made perpendicular to the
-/// corner's normal. A triangle without area in uv keeps the tangents that it has.
-Mesh with_face_tangents(const Mesh& mesh);
-
 /// Returns the side, in metres, of the square that a unit of u and v covers on average: the square root of the mesh's
 /// area divided by its area in uv. 1 if either is 0.
 double metres_per_uv(const Mesh& mesh);
+
+/// A normal map of a model, and how it goes on beyond its border.
+struct OwnNormalMap {
+    Image normals;
+    GltfWrap wrap_u = GltfWrap::repeat, wrap_v = wrap_u;
+};
 
 class OwnMesh final : public OwnFile {
 public:
     /// `radius` of the lab's view, metres: see prepared_model().
     explicit OwnMesh(double radius) : radius_(radius) {}
 
-    const char* kind() const override { return reads_gltf() ? "an OBJ or glTF file" : "an OBJ file"; }
+    const char* kind() const override { return "an OBJ or glTF file"; }
     bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
     /// Returns the prepared model. Empty until a file has been read. Its tangents are of use if has_tangents().
     const Mesh& mesh() const { return mesh_; }
-    /// Returns whether all of the file's vertices have tangents. Only glTF has them.
+    /// Returns whether all tangents are those of the file. Only glTF has them.
     bool has_tangents() const { return has_tangents_; }
-    /// Returns the model with the file's tangents, or else with those of its triangles.
-    Mesh mesh_with_tangents() const { return has_tangents_ ? mesh_ : with_face_tangents(mesh_); }
-    /// Returns the normal map of the file's material. Only glTF has one.
-    const std::optional<Image>& normal_map() const { return normal_map_; }
+    /// Returns the model with the file's tangents, or else with MikkTSpace's.
+    Mesh mesh_with_tangents() const;
+    /// Returns the normal maps of the file's materials. Only glTF has them.
+    const std::vector<OwnNormalMap>& normal_maps() const { return normal_maps_; }
+    /// Returns the parts of mesh() and of mesh_with_tangents() with one map each; together all of their triangles.
+    const std::vector<GltfPart>& parts() const { return parts_; }
     const Placement& placement() const { return placement_; }
 
 private:
@@ -62,8 +67,9 @@ private:
     const double radius_;
     Mesh mesh_;
     Placement placement_;
-    bool has_tangents_ = false;
-    std::optional<Image> normal_map_;
+    bool has_tangents_ = false, has_all_tangents_ = false;
+    std::vector<OwnNormalMap> normal_maps_;
+    std::vector<GltfPart> parts_;
 };
 
 }  // namespace relief

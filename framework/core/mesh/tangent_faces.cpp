@@ -191,12 +191,14 @@ RELIEF_INLINE void work(Batch& b, TangentMethod method, double area_unit) {
     }
 }
 
-#ifdef __x86_64__
+// Not on Windows: GCC aligns no stack there to the 32 bytes of these vectors.
+#if defined(__x86_64__) && !defined(_WIN32)
+    #define RELIEF_HAS_AVX2
 [[gnu::target("avx2")]] void work_avx2(Batch& b, TangentMethod method, double area_unit) { work(b, method, area_unit); }
 #endif
 
 void work_best(Batch& b, TangentMethod method, double area_unit) {
-#ifdef __x86_64__
+#ifdef RELIEF_HAS_AVX2
     static const bool has_avx2 = __builtin_cpu_supports("avx2");
     if (has_avx2) return work_avx2(b, method, area_unit);
 #endif

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "framework/core/mesh/gltf.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
@@ -86,10 +85,9 @@ void draw_help(const Box& picture, float scale, bool& open) {
         draw_lines("Labs and the window", places, keys_width);
         ImGui::EndTable();
     }
-    quiet_text(fmt::format(
+    quiet_text(
         "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
-        "the lab's map, and an OBJ {}file its shape.",
-        reads_gltf() ? "or glTF " : ""));
+        "the lab's map, and an OBJ or glTF file its shape.");
     if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
     ImGui::End();
 }

@@ -176,14 +176,19 @@ Image gloss_from_color(const Image& picture, bool inverted) {
 
 struct ModelFile {
     GltfModel model;
-    glm::dvec3 origin{0};     ///< see ObjModel::origin
     int line_without_uv = 0;  ///< see ObjModel::line_without_uv
-    std::vector<std::string> notes = {};
 };
 ModelFile read_model(const std::string& file) {
-    if (is_named_as_gltf(file)) return {read_gltf(file)};
-    ObjModel model = read_obj(file);
-    return {{std::move(model.mesh), model.has_uvs}, model.origin, model.line_without_uv, std::move(model.notes)};
+    if (is_named_as_gltf(file)) {
+        GltfModel model = read_gltf(file);
+        for (const std::string& note : model.notes) print_note(Error({file}, note).what());
+        return {std::move(model)};
+    }
+    ObjModel obj = read_obj(file);
+    for (const std::string& note : obj.notes) print_note(note);
+    ModelFile read{.model = {}, .line_without_uv = obj.line_without_uv};
+    read.model.mesh = std::move(obj.mesh), read.model.has_uvs = obj.has_uvs, read.model.centre = obj.origin;
+    return read;
 }
 
 /// Returns the coarse model of a bake, with the tangents in its file, or else those of MikkTSpace.
@@ -193,7 +198,7 @@ ModelFile read_coarse(const std::string& file) {
     if (!read.model.has_uvs) throw Error({file}, fmt::format("has no uv: {}", why));
     if (read.line_without_uv > 0)
         throw Error({file, read.line_without_uv}, fmt::format("this face has corners without uv (vt): {}", why));
-    if (!read.model.has_tangents) read.model.mesh = with_tangents(read.model.mesh, TangentMethod::mikktspace);
+    if (!is_named_as_gltf(file)) read.model.mesh = with_tangents(read.model.mesh, TangentMethod::mikktspace);
     return read;
 }
 
@@ -436,13 +441,10 @@ private:
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
         ModelFile upper = read_model(files_[0]);
         const ModelFile onto = read_coarse(files_[1]);
-        const Mesh& coarse = onto.model.mesh;
-        for (const ModelFile* const model : {&std::as_const(upper), &onto})
-            for (const std::string& note : model->notes) print_note(note);
         // Both models are moved by one origin before they are rounded to float.
         for (Vertex& vertex : upper.model.mesh.vertices)
-            vertex.position = glm::dvec3(vertex.position) + (upper.origin - onto.origin);
-        const Mesh& fine = upper.model.mesh;
+            vertex.position = glm::dvec3(vertex.position) + (upper.model.centre - onto.model.centre);
+        const Mesh &fine = upper.model.mesh, &coarse = onto.model.mesh;
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");
         options.before_part = progress.before_part();

@@ -3,7 +3,6 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/kit/numbers.h"
-#include "framework/core/mesh/tangents.h"
 
 namespace relief::basis {
 namespace {
@@ -49,10 +48,7 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
     });
 }
 
-Mesh framework_tangents(const Mesh& mesh) { return with_tangents(mesh, TangentMethod::mikktspace); }
-
 const decltype(truth)::Provided provided_truth(truth, exact_values);
-const decltype(with_mikktspace)::Provided provided_with_mikktspace(with_mikktspace, framework_tangents);
 
 }  // namespace
 }  // namespace relief::basis

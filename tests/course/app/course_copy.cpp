@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 CourseCopy::CourseCopy() {
     fs::create_directories(path() / "bin");
     for (const char* name : {"relief", "lab-01", "librelief.so", "librelief-truth.so", "librelief-staff.so",
-                             "relief-openimageio.so", "relief-tinygltf.so", "relief-librsvg.so", "relief-window.so"})
+                             "relief-openimageio.so", "relief-librsvg.so", "relief-window.so"})
         fs::copy(fs::path(build_folder) / "bin" / name, path() / "bin");
     fs::copy(fs::path(build_folder) / "bin/textures", path() / "bin/textures");
     const fs::path source = source_folder;
