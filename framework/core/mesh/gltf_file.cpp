@@ -216,7 +216,8 @@ std::vector<std::string> GltfObject::keys() const {
 void GltfNotes::add(const std::string& part, const std::string& message) {
     for (Note& note : notes_)
         if (note.message == message) {
-            ++note.count;
+            note.count += part != note.last;
+            note.last = part;
             return;
         }
     constexpr size_t most = 20;
@@ -224,9 +225,10 @@ void GltfNotes::add(const std::string& part, const std::string& message) {
 }
 std::vector<std::string> GltfNotes::lines() const {
     std::vector<std::string> all;
-    for (const auto& [part, message, count] : notes_)
-        all.push_back(count == 1 ? fmt::format("{}: {}", part, message)
-                                 : fmt::format("{} and {} more: {}", part, count - 1, message));
+    for (const auto& [part, message, last, count] : notes_)
+        all.push_back(part.empty() ? message
+                      : count == 1 ? fmt::format("{}: {}", part, message)
+                                   : fmt::format("{} and {} more: {}", part, count - 1, message));
     return all;
 }
 
@@ -257,7 +259,7 @@ void GltfFile::check_extensions() {
             throw Error(fmt::format("needs {}, which is not read: export without it", quoted_in_message(extension)));
     for (const std::string& extension : root_.texts("extensionsUsed"))
         if (!is_harmless(extension) && !has_fallback(extension))
-            notes.add("the file", fmt::format("{} is not read", quoted_in_message(extension)));
+            notes.add("", fmt::format("{} is not read", quoted_in_message(extension)));
 }
 
 size_t GltfFile::count(const char* list) const { return root_.objects(list).size(); }

@@ -54,7 +54,8 @@ private:
     std::string name_;
 };
 
-/// Notes about a file. The same note about several parts becomes one line, which names the first.
+/// Notes about a file. The same note about several parts becomes one line, which names the first. A note about the
+/// whole file has no part.
 class GltfNotes {
 public:
     void add(const std::string& part, const std::string& message);
@@ -63,6 +64,7 @@ public:
 private:
     struct Note {
         std::string part, message;
+        std::string last = part;  ///< the part that was added last
         size_t count = 1;
     };
     std::vector<Note> notes_;

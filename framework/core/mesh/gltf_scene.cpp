@@ -91,13 +91,13 @@ std::vector<GltfPlacedMesh> placed_meshes(GltfFile& file) {
     if (scenes > 0) {
         const int scene = std::max(0, file.root().index("scene"));
         roots = file.element("scenes", scene, "scene").indices("nodes");
-        if (scenes > 1) file.notes.add("the file", fmt::format("of {} scenes, number {} is read", scenes, scene));
+        if (scenes > 1) file.notes.add("", fmt::format("of {} scenes, number {} is read", scenes, scene));
     } else {
         for (size_t i = 0; i < nodes.parent.size(); ++i)
             if (nodes.parent[i] < 0) roots.push_back(int(i));
     }
     if (file.count("animations") > 0)
-        file.notes.add("the file", "its animations are not read: the model has the pose of its nodes");
+        file.notes.add("", "its animations are not read: the model has the pose of its nodes");
     std::vector<GltfPlacedMesh> placed;
     std::vector<int> open(roots.rbegin(), roots.rend());
     std::vector<bool> is_seen(nodes.parent.size());

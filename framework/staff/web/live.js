@@ -224,7 +224,7 @@ const open_own = async (knob, files) => {
       put_own(own_path(names.at(-1)), new Uint8Array(await (is_png ? file : await png_of(file)).arrayBuffer()));
     }
     // A model's material file and pictures may come with it.
-    const name = knob.takes.includes("OBJ") ? names.find(each => /\.obj$/i.test(each)) ?? names[0] : names[0];
+    const name = knob.takes.includes("OBJ") ? names.find(each => /\.(obj|gltf|glb)$/i.test(each)) ?? names[0] : names[0];
     await set_knob(knob.name, own_path(name));
     remember();
   } catch (error) {
@@ -234,7 +234,7 @@ const open_own = async (knob, files) => {
 };
 const opener_of = knob => {
   const input = make("input", {type: "file", hidden: true, multiple: knob.takes.includes("OBJ"),
-                               accept: knob.takes.includes("OBJ") ? ".obj,.mtl,.png" : "image/*"});
+                               accept: knob.takes.includes("OBJ") ? ".obj,.mtl,.png,.gltf,.glb,.bin" : "image/*"});
   input.setAttribute("aria-label", knob.takes);
   input.onchange = async () => { await open_own(knob, [...input.files]); input.value = ""; };
   const button = make("button", {type: "button", textContent: "Open …", title: `open ${knob.takes} of your own: it stays in this browser`,

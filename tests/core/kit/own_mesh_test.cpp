@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "framework/core/image/file.h"
 #include "framework/core/mesh/shapes.h"
+#include "framework/core/mesh/tangents.h"
+#include "tests/core/mesh/gltf_file.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -86,7 +89,8 @@ TEST(OwnMesh, IsPlacedAsAnotherModelIsByItsPlacement) {
 }
 
 TEST(OwnMesh, WithoutUvIsProjectedAlongItsAxesAsTheCoursesBoxIs) {
-    const Mesh mesh = with_face_tangents(prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0)));
+    const Mesh mesh =
+        with_tangents(prepared_model(parse_obj(box).mesh, false, std::sqrt(21.0)), TangentMethod::mikktspace);
     const Mesh wanted = make_box({.size = {8, 4, 2}});
     for (const Vertex& vertex : mesh.vertices) {
         const auto same = [&](const Vertex& other) {
@@ -111,16 +115,63 @@ TEST(OwnMesh, KeepsItsUvAndSharedVerticesAndHasLeftHandedFramesWhereTheyAreMirro
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\n"
         "f 1/1 2/2 3/3 4/4\nf 2/2 5/1 6/4 3/3\n";
     const Mesh shared = prepared_model(parse_obj(quads).mesh, true, 1);
-    EXPECT_EQ(shared.vertices.size(), 6u) << "the mean of tangents at a vertex is a task of lab 05";
+    EXPECT_EQ(shared.vertices.size(), 6u) << "as in the file";
     EXPECT_EQ(sums_of(shared).area_in_uv, 0) << "9 and -9";
-    const Mesh mesh = with_face_tangents(shared);
-    ASSERT_EQ(mesh.vertices.size(), 12u);
-    for (const Vertex& vertex : mesh.vertices) {
-        const size_t i = size_t(&vertex - mesh.vertices.data());
-        EXPECT_LT(glm::distance(vertex.tangent, i < 6 ? glm::vec4(1, 0, 0, 1) : glm::vec4(-1, 0, 0, -1)), 1e-6f) << i;
-    }
+    const TemporaryFolder folder;
+    OwnMesh own(1);
+    own.read(folder.write("quads.obj", quads));
+    const Mesh mesh = own.mesh_with_tangents();
+    EXPECT_EQ(mesh.vertices.size(), 8u) << "two vertices where the uv are mirrored";
+    ASSERT_EQ(mesh.indices.size(), 12u);
+    for (size_t i = 0; i < 12; ++i)
+        EXPECT_LT(glm::distance(mesh.vertices[mesh.indices[i]].tangent,
+                                i < 6 ? glm::vec4(1, 0, 0, 1) : glm::vec4(-1, 0, 0, -1)),
+                  1e-6f)
+            << i;
     // 2 x 1 metres become 2 / sqrt(5) of it, and three tiles cover half of the longer side.
     EXPECT_NEAR(metres_per_uv(mesh), 2 / std::sqrt(5.0) / 3, 1e-6);
+}
+
+TEST(OwnMesh, OfAGltfFileFarFromTheOriginIsThatAtTheOrigin) {
+    const TemporaryFolder folder;
+    const Mesh sphere = make_sphere({.sides = 12, .rows = 6});
+    GltfFile near = gltf_of(sphere), far = near;
+    far.json["nodes"][0]["translation"] = {432100.25, 250, 5412300};
+    OwnMesh at_origin(1), away(1);
+    at_origin.read(folder.write("near.glb", near.glb())), away.read(folder.write("far.glb", far.glb()));
+    EXPECT_TRUE(away.has_tangents());
+    ASSERT_EQ(away.mesh().vertices.size(), sphere.vertices.size());
+    for (size_t i = 0; i < sphere.vertices.size(); ++i)
+        EXPECT_LT(glm::distance(away.mesh().vertices[i].position, at_origin.mesh().vertices[i].position), 1e-6f);
+    // A place in the lab has its place in the file.
+    EXPECT_LT(glm::distance(away.placement().middle - at_origin.placement().middle, {432100.25, 250, 5412300}), 1e-6);
+}
+
+TEST(OwnMesh, HasAPartOfItsTrianglesForEachNormalMapAndTheNotesOfItsFile) {
+    const TemporaryFolder folder;
+    Image texel(1, 1, 3, 8);
+    texel.values = {0.5f, 0.5f, 1};
+    GltfFile file = gltf_of(make_quad({}), encode_image(texel, ImageFormat::png));
+    nlohmann::json& primitives = file.json["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    primitives[0].erase("material");
+    file.json["samplers"] = {{{"wrapT", 33648}}}, file.json["textures"][0]["sampler"] = 0;
+    file.json["animations"] = {nlohmann::json::object()};
+    OwnMesh own(1);
+    own.read(folder.write("two.glb", file.glb()));
+    ASSERT_EQ(own.parts().size(), 2u);
+    EXPECT_EQ(own.parts()[0].normal_map, -1);
+    EXPECT_EQ(own.parts()[1].normal_map, 0);
+    EXPECT_EQ(own.parts()[1].first_index, own.parts()[0].index_count);
+    ASSERT_EQ(own.normal_maps().size(), 1u);
+    EXPECT_EQ(own.normal_maps()[0].wrap_u, GltfWrap::repeat);
+    EXPECT_EQ(own.normal_maps()[0].wrap_v, GltfWrap::mirror);
+    EXPECT_EQ(own.notes(),
+              std::vector<std::string>{"its animations are not read: the model has the pose of its nodes"});
+    own.read(folder.write("box.obj", box));
+    EXPECT_TRUE(own.normal_maps().empty() && own.notes().empty());
+    ASSERT_EQ(own.parts().size(), 1u);
+    EXPECT_EQ(own.parts()[0].index_count, own.mesh().indices.size());
 }
 
 TEST(OwnMesh, KeepsThePreviousModelWhenAFileIsRefused) {

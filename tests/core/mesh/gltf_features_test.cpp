@@ -374,6 +374,15 @@ TEST_F(GltfFeatures, TangentsWithoutLengthOrHandednessAreMadeAnewAndTheOthersSta
     }
 }
 
+TEST_F(GltfFeatures, NormalsWithoutLengthAreThoseOfATriangleWithOneNote) {
+    Mesh mesh = four_corners();
+    for (Vertex& vertex : mesh.vertices) vertex.normal = {0, 0, 0};
+    const GltfModel model = read(gltf_of(mesh));
+    for (const Vertex& vertex : model.mesh.vertices) EXPECT_EQ(vertex.normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(model.notes,
+              std::vector<std::string>{"mesh 0, primitive 0: normals without length are made anew, from a triangle"});
+}
+
 TEST_F(GltfFeatures, FarFromTheOriginOnlyTheDifferencesAreRounded) {
     file_.json["nodes"] = {{{"children", {1}}, {"translation", {432100.25, 250, 5412300.125}}},
                            {{"mesh", 0}, {"translation", {0.0625, 0, 0}}, {"scale", {0.001, 0.001, 0.001}}}};
