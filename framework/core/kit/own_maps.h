@@ -14,8 +14,8 @@ class OwnMaps {
 public:
     explicit OwnMaps(const OwnMesh& model) : model_(model) {}
 
-    /// Draws the mesh whose layout is bound, part by part of OwnMesh::parts(). Each part has its normal map on texture unit 0; a part
-    /// without a map has a flat one.
+    /// Draws the mesh whose layout is bound, part by part of OwnMesh::parts(). Each part has its normal map on texture
+    /// unit 0; a part without a map has a flat one.
     void draw() const;
     /// Returns the first normal map, for a surface that is not the model's. Precondition: the model has one.
     const Texture& first() const { return textures()[0]; }

@@ -35,7 +35,7 @@ struct Motion {
     }
 };
 
-GltfWrap wrap_of(GltfFile& file, const GltfObject& sampler, const char* key) {
+GltfWrap wrap_of(GltfDocument& file, const GltfObject& sampler, const char* key) {
     switch (const size_t wrap = sampler.whole(key, 10497)) {
         case 33071:
             return GltfWrap::clamp;
@@ -49,8 +49,15 @@ GltfWrap wrap_of(GltfFile& file, const GltfObject& sampler, const char* key) {
 
 class Merged {
 public:
-    Merged(GltfFile& file, const ObjLimits& limits) : file_(file), limits_(limits) {}
+    Merged(GltfDocument& file, const ObjLimits& limits) : file_(file), limits_(limits) {}
 
+    GltfModel all(const std::vector<GltfPlacedMesh>& meshes) {
+        for (const GltfPlacedMesh& placed : meshes) ++uses_[placed.mesh];
+        for (const GltfPlacedMesh& placed : meshes) add(placed);
+        return finish();
+    }
+
+private:
     void add(const GltfPlacedMesh& placed) {
         const GltfObject mesh = file_.element("meshes", placed.mesh, "mesh"),
                          node = file_.element("nodes", placed.node, "node");
@@ -63,11 +70,11 @@ public:
                 const size_t most = limits_.corners - std::max(model_.mesh.indices.size(), world_.size());
                 return read_primitive(file_, primitives[i], name, weights, most);
             };
-            if (has_own_weights) {
+            // Instances of a mesh share its primitives.
+            if (has_own_weights || uses_[placed.mesh] < 2) {
                 add(read(), primitives[i], name, placed);
                 continue;
             }
-            // Instances of a mesh share it.
             auto found = read_.find({placed.mesh, i});
             if (found == read_.end()) found = read_.emplace(std::pair(placed.mesh, i), read()).first;
             add(found->second, primitives[i], name, placed);
@@ -85,7 +92,6 @@ public:
         return std::move(model_);
     }
 
-private:
     void add(const GltfPrimitive& primitive, const GltfObject& object, const std::string& name,
              const GltfPlacedMesh& placed) {
         const Mesh& mesh = primitive.mesh;
@@ -216,23 +222,22 @@ private:
     }
     static bool has_lower_map(const GltfPart& a, const GltfPart& b) { return a.normal_map < b.normal_map; }
 
-    GltfFile& file_;
+    GltfDocument& file_;
     const ObjLimits& limits_;
     GltfModel model_;
     bool has_tangents_ = true;
     std::vector<glm::dvec3> world_;  ///< positions, which become floats at the end
     std::vector<std::string> without_uvs_;
-    std::map<std::pair<int, double>, int> maps_;  ///< by texture and scale
-    std::map<std::pair<int, size_t>, GltfPrimitive> read_;
+    std::map<std::pair<int, double>, int> maps_;            ///< by texture and scale
+    std::map<int, int> uses_;                               ///< of each mesh
+    std::map<std::pair<int, size_t>, GltfPrimitive> read_;  ///< by mesh and place in it, if the mesh has several uses
 };
 
 }  // namespace
 
 GltfModel parse_gltf(const std::string& bytes, const std::filesystem::path& folder, const ObjLimits& limits) {
-    GltfFile file(bytes, folder, limits);
-    Merged merged(file, limits);
-    for (const GltfPlacedMesh& placed : placed_meshes(file)) merged.add(placed);
-    return merged.finish();
+    GltfDocument file(bytes, folder, limits);
+    return Merged(file, limits).all(placed_meshes(file));
 }
 
 GltfModel read_gltf(const std::filesystem::path& file, const ObjLimits& limits) {

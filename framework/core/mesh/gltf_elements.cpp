@@ -57,7 +57,7 @@ GltfElements::GltfElements(std::span<const char> bytes, size_t offset, int compo
     first_ = bytes.data() + offset;
 }
 
-GltfElements::GltfElements(GltfFile& file, int index, const char* type, const std::string& name) {
+GltfElements::GltfElements(GltfDocument& file, int index, const char* type, const std::string& name) {
     const GltfObject accessor = file.element("accessors", index, "accessor");
     if (accessor.text("type") != type)
         throw Error(
@@ -82,7 +82,7 @@ GltfElements::GltfElements(GltfFile& file, int index, const char* type, const st
     if (is_sparse) set_sparse(file, accessor.object("sparse"), name);
 }
 
-void GltfElements::set_sparse(GltfFile& file, const GltfObject& sparse, const std::string& name) {
+void GltfElements::set_sparse(GltfDocument& file, const GltfObject& sparse, const std::string& name) {
     const GltfObject at = sparse.object("indices"), values = sparse.object("values");
     const size_t count = sparse.whole("count", 0);
     const GltfElements places(file.view(at.index("bufferView")), at.whole("byteOffset", 0), at.index("componentType"),

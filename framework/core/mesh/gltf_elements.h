@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "framework/core/mesh/gltf_file.h"
+#include "framework/core/mesh/gltf_document.h"
 
 namespace relief {
 
@@ -15,7 +15,7 @@ class GltfElements {
 public:
     /// `type` is "VEC3", for example. `name` is for messages. Throws Error for damage, and for an accessor of another
     /// type.
-    GltfElements(GltfFile& file, int accessor, const char* type, const std::string& name);
+    GltfElements(GltfDocument& file, int accessor, const char* type, const std::string& name);
 
     size_t count() const { return count_; }
     /// Returns whether the elements are whole numbers from 0 on.
@@ -30,7 +30,7 @@ public:
 private:
     GltfElements(std::span<const char> bytes, size_t offset, int component_type, size_t components, size_t stride,
                  size_t count, bool normalized, const std::string& name);
-    void set_sparse(GltfFile& file, const GltfObject& sparse, const std::string& name);
+    void set_sparse(GltfDocument& file, const GltfObject& sparse, const std::string& name);
 
     std::string own_;
     const char* first_ = nullptr;  ///< null: own_

@@ -35,8 +35,8 @@ glm::dvec3 normal_of_face(const Mesh& mesh, size_t first_index) {
 
 class PrimitiveReader {
 public:
-    PrimitiveReader(GltfFile& file, const GltfObject& primitive, std::string name, const std::vector<double>& weights,
-                    size_t most_corners)
+    PrimitiveReader(GltfDocument& file, const GltfObject& primitive, std::string name,
+                    const std::vector<double>& weights, size_t most_corners)
         : file_(file),
           primitive_(primitive),
           attributes_(primitive.object("attributes")),
@@ -256,7 +256,7 @@ private:
         mesh = std::move(made);
     }
 
-    GltfFile& file_;
+    GltfDocument& file_;
     const GltfObject& primitive_;
     const GltfObject attributes_;
     const std::string name_;
@@ -269,7 +269,7 @@ private:
 
 }  // namespace
 
-GltfObject texture_of_uv(const GltfFile& file, const GltfObject& primitive) {
+GltfObject texture_of_uv(const GltfDocument& file, const GltfObject& primitive) {
     static const nlohmann::json none = nlohmann::json::object();
     if (!primitive.has("material")) return {none, "no material"};
     const GltfObject material = file.element("materials", primitive.index("material"), "material"),
@@ -281,7 +281,7 @@ GltfObject texture_of_uv(const GltfFile& file, const GltfObject& primitive) {
     return {none, "no texture"};
 }
 
-GltfPrimitive read_primitive(GltfFile& file, const GltfObject& primitive, const std::string& name,
+GltfPrimitive read_primitive(GltfDocument& file, const GltfObject& primitive, const std::string& name,
                              const std::vector<double>& weights, size_t most_corners) {
     return PrimitiveReader(file, primitive, name, weights, most_corners).read();
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/mesh/gltf_file.h"
+#include "framework/core/mesh/gltf_document.h"
 #include "framework/core/mesh/mesh.h"
 
 namespace relief {
@@ -26,11 +26,11 @@ struct GltfPrimitive {
 
 /// Returns the triangles of a primitive: none for points and lines, with a note. `weights` are those of its morph
 /// targets; missing ones are 0. Throws Error for damage, and for more than `most_corners`.
-GltfPrimitive read_primitive(GltfFile& file, const GltfObject& primitive, const std::string& name,
+GltfPrimitive read_primitive(GltfDocument& file, const GltfObject& primitive, const std::string& name,
                              const std::vector<double>& weights, size_t most_corners);
 
 /// Returns the object of the texture whose uv a primitive has: its normal map's, or else that of another texture of its
 /// material. Empty for a primitive without textures.
-GltfObject texture_of_uv(const GltfFile& file, const GltfObject& primitive);
+GltfObject texture_of_uv(const GltfDocument& file, const GltfObject& primitive);
 
 }  // namespace relief

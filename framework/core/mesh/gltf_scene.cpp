@@ -35,7 +35,7 @@ struct Nodes {
 };
 
 /// Throws Error for a node that has two parents, or is its own ancestor.
-Nodes nodes_of(const GltfFile& file) {
+Nodes nodes_of(const GltfDocument& file) {
     const size_t count = file.count("nodes");
     Nodes nodes{std::vector<std::vector<int>>(count), std::vector<int>(count, -1), std::vector<glm::dmat4>(count)};
     for (size_t i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ Nodes nodes_of(const GltfFile& file) {
     return nodes;
 }
 
-std::vector<glm::dmat4> world_from_bound(GltfFile& file, const Nodes& nodes, int skin_index) {
+std::vector<glm::dmat4> world_from_bound(GltfDocument& file, const Nodes& nodes, int skin_index) {
     const GltfObject skin = file.element("skins", skin_index, "skin");
     const std::vector<int> joints = skin.indices("joints");
     if (joints.empty()) throw Error(fmt::format("damaged: {} has no joints", skin.name()));
@@ -84,7 +84,7 @@ std::vector<glm::dmat4> world_from_bound(GltfFile& file, const Nodes& nodes, int
 
 }  // namespace
 
-std::vector<GltfPlacedMesh> placed_meshes(GltfFile& file) {
+std::vector<GltfPlacedMesh> placed_meshes(GltfDocument& file) {
     const Nodes nodes = nodes_of(file);
     std::vector<int> roots;
     const size_t scenes = file.count("scenes");

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/core/mesh/gltf_file.h"
+#include "framework/core/mesh/gltf_document.h"
 
 namespace relief {
 
@@ -20,6 +20,6 @@ struct GltfPlacedMesh {
 
 /// Returns the meshes of the default scene's nodes, in order. A file without scenes gives its roots. Adds a note about
 /// other scenes and about animations. Throws Error for damage.
-std::vector<GltfPlacedMesh> placed_meshes(GltfFile& file);
+std::vector<GltfPlacedMesh> placed_meshes(GltfDocument& file);
 
 }  // namespace relief

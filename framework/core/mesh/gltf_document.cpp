@@ -1,4 +1,4 @@
-#include "framework/core/mesh/gltf_file.h"
+#include "framework/core/mesh/gltf_document.h"
 
 #include <fmt/format.h>
 
@@ -232,7 +232,7 @@ std::vector<std::string> GltfNotes::lines() const {
     return all;
 }
 
-GltfFile::GltfFile(const std::string& bytes, std::filesystem::path folder, const ObjLimits& limits)
+GltfDocument::GltfDocument(const std::string& bytes, std::filesystem::path folder, const ObjLimits& limits)
     : folder_(std::move(folder)), limits_(limits), bytes_left_(limits.bytes) {
     if (bytes.size() > limits.bytes) throw Error(fmt::format("{} bytes, the limit is {}", bytes.size(), limits.bytes));
     auto [text, binary] = chunks_of(bytes);
@@ -252,7 +252,7 @@ GltfFile::GltfFile(const std::string& bytes, std::filesystem::path folder, const
     check_extensions();
 }
 
-void GltfFile::check_extensions() {
+void GltfDocument::check_extensions() {
     const std::vector<std::string> required = root_.texts("extensionsRequired");
     for (const std::string& extension : required)
         if (!is_harmless(extension))
@@ -262,9 +262,9 @@ void GltfFile::check_extensions() {
             notes.add("", fmt::format("{} is not read", quoted_in_message(extension)));
 }
 
-size_t GltfFile::count(const char* list) const { return root_.objects(list).size(); }
+size_t GltfDocument::count(const char* list) const { return root_.objects(list).size(); }
 
-GltfObject GltfFile::element(const char* list, int index, const char* kind) const {
+GltfObject GltfDocument::element(const char* list, int index, const char* kind) const {
     const auto found = json_.find(list);
     const size_t count = found == json_.end() || !found->is_array() ? 0 : found->size();
     if (index < 0 || size_t(index) >= count)
@@ -274,7 +274,7 @@ GltfObject GltfFile::element(const char* list, int index, const char* kind) cons
     return {value, fmt::format("{} {}", kind, index)};
 }
 
-std::string GltfFile::read_uri(const std::string& uri, const std::string& name) {
+std::string GltfDocument::read_uri(const std::string& uri, const std::string& name) {
     std::string bytes;
     if (uri.starts_with("data:")) {
         const size_t comma = uri.find(',');
@@ -289,7 +289,7 @@ std::string GltfFile::read_uri(const std::string& uri, const std::string& name) 
     return bytes;
 }
 
-std::span<const char> GltfFile::buffer(int index) {
+std::span<const char> GltfDocument::buffer(int index) {
     const GltfObject buffer = element("buffers", index, "buffer");
     const size_t length = buffer.whole("byteLength", 0);
     const std::string* bytes = nullptr;
@@ -298,18 +298,18 @@ std::span<const char> GltfFile::buffer(int index) {
         bytes = &buffers_[index];
     } else if (index == 0 && chunk_) {
         bytes = &*chunk_;
-    } else if (buffer.has("extensions")) {
-        throw Error(fmt::format("{} has no bytes but with {}, which is not read: export without it", buffer.name(),
-                                quoted_in_message(buffer.object("extensions").keys().front())));
     } else {
-        throw Error(fmt::format("damaged: {} has no bytes", buffer.name()));
+        const std::vector<std::string> extensions = buffer.object("extensions").keys();
+        if (extensions.empty()) throw Error(fmt::format("{} names no file with its bytes", buffer.name()));
+        throw Error(fmt::format("{} has no bytes but with {}, which is not read: export without it", buffer.name(),
+                                quoted_in_message(extensions.front())));
     }
     if (bytes->size() < length)
         throw Error(fmt::format("damaged: {} has {} of its {} bytes", buffer.name(), bytes->size(), length));
     return std::span(bytes->data(), length);
 }
 
-std::span<const char> GltfFile::view(int index) {
+std::span<const char> GltfDocument::view(int index) {
     const GltfObject view = element("bufferViews", index, "buffer view");
     const std::span<const char> bytes = buffer(view.index("buffer"));
     const size_t offset = view.whole("byteOffset", 0), length = view.whole("byteLength", 0);
@@ -318,9 +318,10 @@ std::span<const char> GltfFile::view(int index) {
     return bytes.subspan(offset, length);
 }
 
-std::string GltfFile::picture(int index) {
+std::string GltfDocument::picture(int index) {
     const GltfObject image = element("images", index, "image");
     if (image.has("uri")) return read_uri(image.text("uri"), image.name());
+    if (!image.has("bufferView")) throw Error(fmt::format("damaged: {} has no bytes", image.name()));
     const std::span<const char> bytes = view(image.index("bufferView"));
     return {bytes.begin(), bytes.end()};
 }

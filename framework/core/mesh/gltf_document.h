@@ -71,11 +71,11 @@ private:
 };
 
 /// Throws Error without a place for damage, for other versions of glTF, and for a required extension that is not read.
-class GltfFile {
+class GltfDocument {
 public:
-    GltfFile(const std::string& bytes, std::filesystem::path folder, const ObjLimits& limits);
-    GltfFile(const GltfFile&) = delete;
-    GltfFile& operator=(const GltfFile&) = delete;
+    GltfDocument(const std::string& bytes, std::filesystem::path folder, const ObjLimits& limits);
+    GltfDocument(const GltfDocument&) = delete;
+    GltfDocument& operator=(const GltfDocument&) = delete;
 
     const GltfObject& root() const { return root_; }
     /// Returns an element of a list of the root: element("meshes", 3, "mesh").
