@@ -250,6 +250,59 @@ TEST_F(OwnFiles, Lab06ShowsTheNormalMapInAGltfFile) {
     EXPECT_EQ(difference(of_cube("one-texel"), of_cube("model"), 1).largest, 0) << "without a map it is flat";
 }
 
+TEST_F(OwnFiles, Lab06DrawsEachPartOfAGltfFileWithItsOwnMapAndSaysWhatIsLeftOut) {
+    const std::string bricks = read_file(std::string(source_folder) + "/assets/bricks_normal.png");
+    Mesh quad = make_quad({.width = 2, .height = 2});
+    for (Vertex& vertex : quad.vertices) vertex.uv *= 2.0f;
+    GltfFile file = gltf_of(quad, bricks);
+    const auto normals = [&](std::vector<std::string> set) {
+        folder_.write("quad.glb", file.glb());
+        set.insert(set.end(), {"view=one", "shape=quad.glb", "turn=0", "scale_x=1", "scale_y=1", "scale_z=1"});
+        return picture("06", set, {"--probe", "normal", "--camera", "0,0,3"});
+    };
+    const Image mapped = normals({"map=model"}), flat = normals({"normals=vertices"});
+    // The map goes on mirrored at u = 1, the middle of the picture.
+    const auto asymmetry = [](const Image& image) {
+        double most = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const float here = image.pixel(x, y)[0], there = image.pixel(image.width - 1 - x, y)[0];
+                if (std::isfinite(here) && std::isfinite(there)) most = std::max(most, double(std::abs(here - there)));
+            }
+        return most;
+    };
+    file.json["textures"][0]["sampler"] = 0, file.json["samplers"] = {{{"wrapS", 33648}}};
+    EXPECT_LT(asymmetry(normals({"map=model"})), 0.02);
+    EXPECT_GT(asymmetry(mapped), 0.2);
+    file.json["textures"][0].erase("sampler");
+    // One triangle keeps its material, and the other has none.
+    nlohmann::json& primitives = file.json["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    primitives[1].erase("material");
+    for (size_t i = 0; i < 2; ++i)
+        primitives[i]["indices"] = file.add_accessor(
+            std::vector(quad.indices.begin() + long(3 * i), quad.indices.begin() + long(3 * i) + 3), "SCALAR", 1, 5125);
+    const Image halves = normals({"map=model"});
+    size_t with_map = 0, without = 0, neither = 0;
+    for (size_t i = 0; i < halves.values.size(); i += size_t(halves.channels)) {
+        const float value = halves.values[i];
+        if (!std::isfinite(value) || mapped.values[i] == flat.values[i]) continue;
+        const bool is_mapped = std::abs(value - mapped.values[i]) < 1e-4f, is_flat = value == flat.values[i];
+        with_map += is_mapped, without += is_flat, neither += !is_mapped && !is_flat;
+    }
+    EXPECT_GT(with_map, 500u);
+    EXPECT_GT(without, 500u);
+    EXPECT_LT(neither, 150u) << "the pixels at the seam";
+    // A note is one line, and in the picture.
+    const auto seen = [&] { return picture("06", {"view=one", "shape=quad.glb"}); };
+    const Image quiet = seen();
+    primitives.push_back(primitives[0]), primitives[2]["mode"] = 0;
+    folder_.write("quad.glb", file.glb());
+    EXPECT_GT(share_apart(quiet, seen(), 0.05f), 0.005);
+    const Result noted = shot("06", {"view=one", "shape=quad.glb"}, {"-o", "o.png"});
+    EXPECT_EQ(noted.err, "relief: quad.glb: mesh 0, primitive 2: points and lines are not read\n");
+}
+
 /// Returns the mean of the angles between the pixels' normals in two pictures, in degrees.
 double mean_angle(const Image& a, const Image& b) {
     double sum = 0;
