@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "framework/core/image/mips.h"
-#include "framework/staff/reference/occlusion.h"
+#include "framework/staff/reference/ambient_occlusion.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/bc1.h"
 #include "framework/core/image/own_picture.h"
-#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/view_axes.h"
 
 namespace relief::storage {

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/kit/choices.h"
 #include "framework/core/lab/lab.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 #include "framework/core/lab/lab.h"
 
 namespace relief::heights {

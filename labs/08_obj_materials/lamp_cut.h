@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/window_triangle.h"
 #include "truth.h"
 

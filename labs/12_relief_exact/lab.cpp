@@ -6,10 +6,10 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
-#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "skips.h"

@@ -9,8 +9,8 @@
 
 #include "annotations.h"
 #include "framework/core/kit/displaced_surface.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/labels.h"
-#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/shadow_map.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/kit/uniforms.h"

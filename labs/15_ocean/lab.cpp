@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "framework/core/gl/cube_texture.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/evening_sky.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
-#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/kit/view_axes.h"
 #include "framework/core/kit/window_triangle.h"
@@ -132,11 +132,8 @@ private:
         return means_[rule].get({settings_.water.key(), settings_.source, settings_.lock, sea_.renewals()}, [&] {
             constexpr glm::ivec2 size(48);
             const Frame frame{.target = 0, .size = size, .time = 0, .camera = {steep(180), 1}, .probe = {}};
-            const Part part{.tile = {{0, 0}, size},
-                            .frame = frame,
-                            .rule = rule,
-                            .far = settings_.far,
-                            .purpose = "MEASURE"};
+            const Part part{
+                .tile = {{0, 0}, size}, .frame = frame, .rule = rule, .far = settings_.far, .purpose = "MEASURE"};
             const Image drawn = draw_numbers(size, [&] { draw_sea(part, fill_grid(part)); });
             double sum = 0;
             for (size_t i = 0; i < drawn.values.size(); i += 4) sum += double(drawn.values[i]);

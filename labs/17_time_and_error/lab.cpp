@@ -7,11 +7,11 @@
 #include <bit>
 
 #include "framework/core/base/text.h"
-#include "framework/core/gl/patches.h"
+#include "framework/core/gl/gpu_patches.h"
 #include "framework/core/gl/vertex_stream.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/light.h"
-#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/relief_surface.h"
 #include "framework/core/kit/uniforms.h"
 #include "methods.h"

@@ -7,9 +7,9 @@
 
 #include "framework/core/image/compare.h"
 #include "framework/core/image/own_picture.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
-#include "framework/core/kit/numbers.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/kit/view_axes.h"
 #include "framework/core/kit/window_triangle.h"

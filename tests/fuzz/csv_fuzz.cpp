@@ -1,6 +1,6 @@
 // CSV tables, as people and spreadsheets write them. Cells survive a round trip, and defusing never shortens them.
 #include "framework/staff/class/csv.h"
-#include "framework/staff/class/moment.h"
+#include "framework/staff/class/point_in_time.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

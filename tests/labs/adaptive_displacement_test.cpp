@@ -6,7 +6,7 @@
 #include <set>
 
 #include "framework/core/kit/displaced_surface.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/tessellation.h"
 #include "labs/14_adaptive_displacement/scene.h"
 #include "tests/labs/feedback.h"

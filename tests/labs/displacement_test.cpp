@@ -2,7 +2,7 @@
 // distance from the origin. Every pixel is finite.
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/staff/reference/degrees.h"
-#include "framework/staff/reference/patches.h"
+#include "framework/staff/reference/patch_points.h"
 #include "tests/labs/feedback.h"
 #include "tests/labs/shots.h"
 

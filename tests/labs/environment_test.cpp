@@ -4,7 +4,7 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/kit/evening_sky.h"
-#include "framework/staff/reference/occlusion.h"
+#include "framework/staff/reference/ambient_occlusion.h"
 #include "labs/16_environment/scene.h"
 #include "tests/labs/shots.h"
 

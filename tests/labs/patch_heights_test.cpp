@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 #include "framework/core/image/mips.h"
 #include "framework/staff/reference/height_field.h"
 

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <optional>
 
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 #include "framework/core/kit/displaced_surface.h"
-#include "framework/staff/measure/drawing.h"
-#include "framework/staff/reference/patches.h"
+#include "framework/staff/measure/drawn_subject.h"
+#include "framework/staff/reference/patch_points.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "framework/core/gl/patches.h"
+#include "framework/core/gl/gpu_patches.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/relief_material.h"

@@ -7,7 +7,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 #include "framework/core/image/asset.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/heights.h"

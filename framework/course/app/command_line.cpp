@@ -21,7 +21,7 @@
 #include "framework/course/app/gallery.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/course/app/versions.h"
-#include "framework/course/check/drawing.h"
+#include "framework/course/check/guarded_drawing.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/window/menu.h"
 

@@ -17,10 +17,10 @@
 #include "framework/core/image/file.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/app/gallery.h"
-#include "framework/course/pages/comparison.h"
 #include "framework/course/pages/handout_page.h"
 #include "framework/course/pages/lab_groups.h"
 #include "framework/course/pages/lab_page.h"
+#include "framework/course/pages/method_comparison.h"
 #include "framework/course/pages/page.h"
 
 namespace relief::app {

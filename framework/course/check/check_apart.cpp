@@ -171,7 +171,7 @@ void run_checks(const LabEntry& lab, const Manifest& manifest, const std::vector
         checker.set_renderer(renderer);
         tell({.kind = Tells::renderer, .text = renderer.name});
         tell({.kind = Tells::driver, .text = describe_context().driver()});
-        Patience patience([&](const std::string& limit) { tell({.kind = Tells::over, .text = limit}); }, limits);
+        Watchdog patience([&](const std::string& limit) { tell({.kind = Tells::over, .text = limit}); }, limits);
         KeptLabs labs(lab);
         for (const size_t i : order) {
             patience.next();

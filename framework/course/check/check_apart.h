@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/patience.h"
 #include "framework/course/check/verdict.h"
+#include "framework/course/check/watchdog.h"
 #include "framework/course/manifest/manifest.h"
 
 namespace relief {

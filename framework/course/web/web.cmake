@@ -3,7 +3,7 @@
 file(GLOB web_sources CONFIGURE_DEPENDS framework/core/gl/*.cpp framework/core/lab/*.cpp framework/core/kit/*.cpp
   framework/course/manifest/*.cpp framework/course/check/*.cpp framework/course/web/*.cpp)
 # Without what needs processes or rewrites shaders: drawing under guard, and `explain`.
-list(FILTER web_sources EXCLUDE REGEX "(check/(drawing|explain|explain_text|watched_shader)|web/web)\\.cpp$")
+list(FILTER web_sources EXCLUDE REGEX "(check/(guarded_drawing|explain|explain_text|watched_shader)|web/web)\\.cpp$")
 add_library(relief_framework OBJECT ${web_sources})
 target_link_libraries(relief_framework PUBLIC relief_cpu relief_glad
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)

@@ -18,7 +18,7 @@
 #include "framework/core/kit/made_map.h"
 #include "framework/core/kit/obj_scene.h"
 #include "framework/core/kit/own_mesh.h"
-#include "framework/course/pages/comparison.h"
+#include "framework/course/pages/method_comparison.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"

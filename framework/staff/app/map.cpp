@@ -19,10 +19,10 @@
 #include "framework/core/mesh/tangents.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
+#include "framework/staff/reference/ambient_occlusion.h"
 #include "framework/staff/reference/bake.h"
 #include "framework/staff/reference/bc5.h"
 #include "framework/staff/reference/normals.h"
-#include "framework/staff/reference/occlusion.h"
 
 namespace relief::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "framework/core/image/file.h"
 #include "framework/course/app/command.h"
 #include "framework/staff/synctest/files.h"
-#include "framework/staff/synctest/judge.h"
+#include "framework/staff/synctest/flatness.h"
 
 namespace relief::app {
 namespace {

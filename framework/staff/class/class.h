@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/core/base/descriptor.h"
-#include "framework/staff/class/moment.h"
+#include "framework/staff/class/point_in_time.h"
 #include "framework/staff/class/roster.h"
 #include "framework/staff/grade/results.h"
 

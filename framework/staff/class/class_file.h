@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/class/moment.h"
+#include "framework/staff/class/point_in_time.h"
 
 namespace relief::grade {
 

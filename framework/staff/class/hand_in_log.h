@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/staff/class/moment.h"
+#include "framework/staff/class/point_in_time.h"
 #include "framework/staff/grade/results.h"
 
 namespace relief::grade {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/course/check/check.h"
-#include "framework/course/check/drawing.h"
+#include "framework/course/check/guarded_drawing.h"
 #include "framework/staff/grade/stage.h"
 
 namespace relief::grade {

@@ -1,7 +1,7 @@
 // Frames of each lab, with the cameras of the manifest and of its reference screenshots.
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

@@ -2,7 +2,7 @@
 // is timed, with four samples per pixel.
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

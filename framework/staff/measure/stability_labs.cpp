@@ -10,7 +10,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/measure/stability.h"
 
 namespace relief::measure {

@@ -8,7 +8,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 #include "framework/core/image/color.h"
 #include "framework/staff/reference/normals_row.h"
 

@@ -1,7 +1,7 @@
 // Normal maps from height maps.
 #pragma once
 
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 #include "framework/core/image/image.h"
 
 namespace relief {

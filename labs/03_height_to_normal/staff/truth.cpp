@@ -1,8 +1,8 @@
 // The staff's part of lab 03: see ../truth.h.
 #include "truth.h"
 
+#include "framework/staff/reference/ambient_occlusion.h"
 #include "framework/staff/reference/normals.h"
-#include "framework/staff/reference/occlusion.h"
 
 namespace relief::heights {
 namespace {

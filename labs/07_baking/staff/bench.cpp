@@ -2,7 +2,7 @@
 // fine model, the coarse model, and the coarse model with its map.
 #include "framework/staff/measure/bench.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

@@ -9,7 +9,7 @@
 #include "framework/core/mesh/obj.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief::measure {

@@ -1,7 +1,7 @@
 // A planet: the error and the time of its maps, by size and by formula; and frames by levels and culling.
 #include "framework/staff/measure/bench.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "exact.h"
-#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/tiles.h"
 
 namespace relief::planet {

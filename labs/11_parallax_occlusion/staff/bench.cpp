@@ -8,7 +8,7 @@
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

@@ -13,9 +13,9 @@
 #include "framework/core/kit/displaced_surface.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/measure/stability.h"
-#include "framework/staff/reference/patches.h"
+#include "framework/staff/reference/patch_points.h"
 
 namespace relief::measure {
 namespace {

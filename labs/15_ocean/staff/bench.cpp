@@ -2,7 +2,7 @@
 // light of a far sea by the wave statistics that a pixel uses.
 #include "framework/staff/measure/bench.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

@@ -2,7 +2,7 @@
 // size, of occlusion by slices and taps, and of blurred mirror images.
 #include "framework/staff/measure/bench.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

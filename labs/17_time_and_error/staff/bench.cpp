@@ -8,7 +8,7 @@
 #include "framework/core/kit/relief_material.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/staff/measure/bench.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/least_move.h"
 
 namespace relief::measure {

@@ -2,7 +2,7 @@
 // over the whole skin against the time of a frame. Also a flock, by its bodies and triangles.
 #include "framework/staff/measure/bench.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 namespace relief::measure {
 namespace {

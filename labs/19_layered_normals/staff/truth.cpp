@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact.h"
-#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/drawn_numbers.h"
 #include "framework/core/kit/view_axes.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "layers.h"

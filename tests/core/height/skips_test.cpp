@@ -8,7 +8,7 @@
 #include <random>
 
 #include "framework/core/base/error.h"
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 
 namespace relief {
 namespace {

@@ -28,7 +28,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
 #include "framework/staff/class/csv.h"
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 #include "tests/process.h"
 #include "tests/support.h"
 

@@ -10,7 +10,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/course/pages/comparison.h"
+#include "framework/course/pages/method_comparison.h"
 #include "tests/course/app/course_with_new_lab.h"
 #include "tests/screen.h"
 

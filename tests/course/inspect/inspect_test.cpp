@@ -12,7 +12,7 @@
 #include <set>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
 #include "framework/course/inspect/slopes.h"

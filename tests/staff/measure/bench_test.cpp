@@ -13,7 +13,7 @@
 #include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/plot.h"
-#include "framework/staff/measure/tangents.h"
+#include "framework/staff/measure/tangents_topic.h"
 #include "tests/support.h"
 
 namespace relief::measure {

@@ -5,8 +5,8 @@
 
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/displaced.h"
-#include "framework/staff/reference/light.h"
 #include "framework/staff/reference/normal_map.h"
+#include "framework/staff/reference/shading.h"
 #include "framework/staff/reference/tangent_space.h"
 #include "framework/staff/reference/tessellation.h"
 

@@ -11,7 +11,7 @@
 #include "framework/core/mesh/obj.h"
 #include "framework/staff/reference/mikktspace.h"
 #include "framework/staff/synctest/files.h"
-#include "framework/staff/synctest/judge.h"
+#include "framework/staff/synctest/flatness.h"
 #include "tests/support.h"
 
 namespace relief::synctest {

@@ -1,4 +1,4 @@
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 
 #include <algorithm>
 #include <cmath>

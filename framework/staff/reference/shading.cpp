@@ -1,4 +1,4 @@
-#include "framework/staff/reference/light.h"
+#include "framework/staff/reference/shading.h"
 
 #include <algorithm>
 #include <cmath>

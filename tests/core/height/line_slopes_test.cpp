@@ -1,5 +1,5 @@
 // Slope filters as tables, compared with their definition.
-#include "framework/core/height/lines.h"
+#include "framework/core/height/line_slopes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/patience.h"
+#include "framework/course/check/watchdog.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,17 +8,17 @@
 
 namespace relief::check {
 
-double Patience::Clock::now() { return os::processor_seconds(); }
+double Watchdog::Clock::now() { return os::processor_seconds(); }
 
-double Patience::Clock::seconds() const {
+double Watchdog::Clock::seconds() const {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin_;
     return std::max(now() - cpu_, wall.count() / 10);
 }
 
-Patience::Patience(std::function<void(const std::string&)> give_up, PatienceLimits limits)
-    : give_up_(std::move(give_up)), limits_(limits), thread_(&Patience::watch, this) {}
+Watchdog::Watchdog(std::function<void(const std::string&)> give_up, PatienceLimits limits)
+    : give_up_(std::move(give_up)), limits_(limits), thread_(&Watchdog::watch, this) {}
 
-Patience::~Patience() {
+Watchdog::~Watchdog() {
     {
         const std::lock_guard lock(mutex_);
         done_ = true;
@@ -27,12 +27,12 @@ Patience::~Patience() {
     thread_.join();
 }
 
-void Patience::next() {
+void Watchdog::next() {
     const std::lock_guard lock(mutex_);
     check_ = Clock();
 }
 
-void Patience::watch() {
+void Watchdog::watch() {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, std::chrono::milliseconds(50), [&] { return done_; })) {
         const bool is_lab_over = lab_.seconds() > limits_.lab;

@@ -1,5 +1,5 @@
 // Patches, drawn together and one by one.
-#include "framework/core/gl/patches.h"
+#include "framework/core/gl/gpu_patches.h"
 
 #include <gtest/gtest.h>
 

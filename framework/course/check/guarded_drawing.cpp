@@ -1,4 +1,4 @@
-#include "framework/course/check/drawing.h"
+#include "framework/course/check/guarded_drawing.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "framework/core/gl/patches.h"
+#include "framework/core/gl/gpu_patches.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,12 +1,12 @@
 // Ambient occlusion by horizons, against a closed form and against rays.
-#include "framework/staff/reference/occlusion.h"
+#include "framework/staff/reference/ambient_occlusion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 #include "framework/staff/reference/height_field.h"
 
 namespace relief {

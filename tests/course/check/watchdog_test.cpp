@@ -1,5 +1,5 @@
-// Patience ends a check, or a lab, that uses more time than it may.
-#include "framework/course/check/patience.h"
+// Watchdog ends a check, or a lab, that uses more time than it may.
+#include "framework/course/check/watchdog.h"
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,20 @@ constexpr double never = 1e6;
 
 std::string limit_that_ends(PatienceLimits limits) {
     std::promise<std::string> limit;
-    const Patience patience([&](const std::string& said) { limit.set_value(said); }, limits);
+    const Watchdog patience([&](const std::string& said) { limit.set_value(said); }, limits);
     return limit.get_future().get();
 }
 
-TEST(Patience, EndsACheckAndALabAndNamesTheLimit) {
+TEST(Watchdog, EndsACheckAndALabAndNamesTheLimit) {
     EXPECT_EQ(limit_that_ends({.check = 0.001, .lab = never}), "0.001 seconds")
         << "a thread that waits has a limit, too";
     EXPECT_EQ(limit_that_ends({.check = never, .lab = 0.002}), "0.002 seconds");
 }
 
-TEST(Patience, EndsNothingThatHasTimeLeft) {
+TEST(Watchdog, EndsNothingThatHasTimeLeft) {
     bool gave_up = false;
     {
-        Patience patience([&](const std::string&) { gave_up = true; }, {.check = never, .lab = never});
+        Watchdog patience([&](const std::string&) { gave_up = true; }, {.check = never, .lab = never});
         patience.next();
         patience.next();
     }

@@ -1,4 +1,4 @@
-#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/drawn_subject.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 
 #include <algorithm>
 #include <cmath>

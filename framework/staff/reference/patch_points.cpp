@@ -1,4 +1,4 @@
-#include "framework/staff/reference/patches.h"
+#include "framework/staff/reference/patch_points.h"
 
 #include "framework/core/base/parallel.h"
 

@@ -1,4 +1,4 @@
-#include "framework/staff/synctest/judge.h"
+#include "framework/staff/synctest/flatness.h"
 
 #include <algorithm>
 #include <array>

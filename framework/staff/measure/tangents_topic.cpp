@@ -1,5 +1,5 @@
 // Tangents of a million triangles: time by method and threads, and the error against dP/du.
-#include "framework/staff/measure/tangents.h"
+#include "framework/staff/measure/tangents_topic.h"
 
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "framework/staff/reference/occlusion.h"
+#include "framework/staff/reference/ambient_occlusion.h"
 
 #include <algorithm>
 #include <cmath>

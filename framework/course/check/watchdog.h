@@ -21,13 +21,13 @@ struct PatienceLimits {
 inline constexpr PatienceLimits patient_limits{.check = 300, .lab = 600};
 
 /// Watches this process on a thread of its own, from construction on.
-class Patience {
+class Watchdog {
 public:
     /// `give_up` is called once, on the watching thread, with the limit that was exceeded: "10 seconds".
-    Patience(std::function<void(const std::string& limit)> give_up, PatienceLimits limits);
-    ~Patience();
-    Patience(const Patience&) = delete;
-    Patience& operator=(const Patience&) = delete;
+    Watchdog(std::function<void(const std::string& limit)> give_up, PatienceLimits limits);
+    ~Watchdog();
+    Watchdog(const Watchdog&) = delete;
+    Watchdog& operator=(const Watchdog&) = delete;
 
     /// Ends the previous check, and begins to time the next one.
     void next();

@@ -1,4 +1,4 @@
-#include "framework/staff/class/moment.h"
+#include "framework/staff/class/point_in_time.h"
 
 #include <fmt/format.h>
 

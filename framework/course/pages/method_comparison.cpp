@@ -1,4 +1,4 @@
-#include "framework/course/pages/comparison.h"
+#include "framework/course/pages/method_comparison.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Height maps from formulas: the properties that every search relies on.
-#include "framework/core/height/maps.h"
+#include "framework/core/height/test_maps.h"
 
 #include <gtest/gtest.h>
 

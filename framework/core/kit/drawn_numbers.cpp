@@ -1,4 +1,4 @@
-#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/drawn_numbers.h"
 
 #include "framework/core/base/parallel.h"
 #include "framework/core/gl/missing_tasks.h"
