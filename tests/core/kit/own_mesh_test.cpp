@@ -167,9 +167,11 @@ TEST(OwnMesh, HasAPartOfItsTrianglesForEachNormalMapAndTheNotesOfItsFile) {
     EXPECT_EQ(own.normal_maps()[0].wrap_u, GltfWrap::repeat);
     EXPECT_EQ(own.normal_maps()[0].wrap_v, GltfWrap::mirror);
     EXPECT_EQ(own.notes(),
-              std::vector<std::string>{"its animations are not read: the model has the pose of its nodes"});
+              std::vector<std::string>{"two.glb: its animations are not read: the model has the pose of its nodes"});
     own.read(folder.write("box.obj", box));
-    EXPECT_TRUE(own.normal_maps().empty() && own.notes().empty());
+    EXPECT_TRUE(own.normal_maps().empty());
+    ASSERT_EQ(own.notes().size(), 1u);
+    EXPECT_TRUE(own.notes()[0].ends_with("box.obj: has no uv: they are made by projection along the axes"));
     ASSERT_EQ(own.parts().size(), 1u);
     EXPECT_EQ(own.parts()[0].index_count, own.mesh().indices.size());
 }
