@@ -200,9 +200,10 @@ void fill_voids(Image& heights, const std::vector<uint8_t>& voids) {
 /// Scales floats beyond [0, 1].
 void scale(Heights& result) {
     std::vector<float>& values = result.image.values;
-    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-    if (*lowest >= 0 && *highest <= 1) return;
-    result.low = double(*lowest), result.high = double(*highest);
+    const float lowest = *std::min_element(values.begin(), values.end());
+    const float highest = *std::max_element(values.begin(), values.end());
+    if (lowest >= 0 && highest <= 1) return;
+    result.low = double(lowest), result.high = double(highest);
     const double range = result.high - result.low;
     for (float& value : values) value = range > 0 ? float((double(value) - result.low) / range) : 0;
     result.notes.push_back(

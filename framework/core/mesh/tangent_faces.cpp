@@ -71,7 +71,7 @@ RELIEF_INLINE Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.
 RELIEF_INLINE Vector operator*(Vector a, Doubles s) { return {a.x * s, a.y * s, a.z * s}; }
 RELIEF_INLINE Doubles dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 RELIEF_INLINE Vector cross(Vector a, Vector b) {
-    return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 RELIEF_INLINE Vector either(Masks first, Vector a, Vector b) {
     return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
@@ -110,7 +110,7 @@ RELIEF_INLINE void solve(Batch& b, int i) {
     for (int k = 0; k < 3; ++k) sum += uv(k, 0) + uv(k, 1);
     for (const Vector& p : {p0, p1, p2}) sum += p.x + p.y + p.z;
     const Doubles finite = sum - sum == 0 ? all(1) : all(0);
-    const Doubles separate = (l0 > 0) & (l1 > 0) & (l2 > 0) ? all(1) : all(0);
+    const Doubles separate = ((l0 > 0) & (l1 > 0) & (l2 > 0)) ? all(1) : all(0);
     const Doubles uv_area = one_u * two_v - one_v * two_u;
     const Doubles side = (uv_area > 0 ? all(1) : uv_area < 0 ? all(-1) : all(0)) * separate * finite;
     const Vector along = (one * two_v - two * one_v) * side;
@@ -284,7 +284,7 @@ bool tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod m
             some_undecided |= face.handedness == 0 && !face.in_no_group;
             for (int k = 0; k < 3; ++k) {
                 Contribution& corner = corners[3 * (first + size_t(i)) + size_t(k)];
-                corner = {b.pull[k][0][i], b.pull[k][1][i], b.pull[k][2][i], std::bit_cast<float>(face)};
+                corner = {b.pull[k][0][i], b.pull[k][1][i], b.pull[k][2][i], bits_of(face)};
                 if (face.why == TangentFallback::not_finite) corner.x = corner.y = corner.z = 0;
             }
         }

@@ -1,8 +1,8 @@
 // The contribution of each triangle to the tangents at its corners.
 #pragma once
 
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <unordered_map>
 
 #include "framework/core/mesh/corners.h"
@@ -50,7 +50,16 @@ struct TangentFace {
 /// the TangentFace.
 using Contribution = glm::vec4;
 
-inline TangentFace face_of(const Contribution& corner) { return std::bit_cast<TangentFace>(corner.w); }
+inline TangentFace face_of(const Contribution& corner) {
+    TangentFace face;
+    std::memcpy(&face, &corner.w, sizeof face);  // Emscripten 3.1 has no std::bit_cast
+    return face;
+}
+inline float bits_of(const TangentFace& face) {
+    float bits = 0;
+    std::memcpy(&bits, &face, sizeof bits);
+    return bits;
+}
 
 /// Fills the three corners of each triangle from `begin` to `end` - 1, in batches that fit in the nearest cache, with
 /// the widest vectors of the processor. Every vector width gives the same bits. For `area` the weights are in units of

@@ -136,7 +136,7 @@ void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, con
         if (!undecided[i / 3]) continue;
         TangentFace face = face_of(contributions[i]);
         face.handedness = handedness_of[i / 3];
-        contributions[i].w = std::bit_cast<float>(face);
+        contributions[i].w = bits_of(face);
     }
 }
 

@@ -177,16 +177,16 @@ Image gloss_from_color(const Image& picture, bool inverted) {
 struct ModelFile {
     GltfModel model;
     int line_without_uv = 0;  ///< see ObjModel::line_without_uv
+    std::vector<std::string> notes = {};
 };
 ModelFile read_model(const std::string& file) {
     if (is_named_as_gltf(file)) {
-        GltfModel model = read_gltf(file);
-        for (const std::string& note : model.notes) print_note(Error({file}, note).what());
-        return {std::move(model)};
+        ModelFile read{.model = read_gltf(file)};
+        for (const std::string& note : read.model.notes) read.notes.push_back(Error({file}, note).what());
+        return read;
     }
     ObjModel obj = read_obj(file);
-    for (const std::string& note : obj.notes) print_note(note);
-    ModelFile read{.model = {}, .line_without_uv = obj.line_without_uv};
+    ModelFile read{.model = {}, .line_without_uv = obj.line_without_uv, .notes = std::move(obj.notes)};
     read.model.mesh = std::move(obj.mesh), read.model.has_uvs = obj.has_uvs, read.model.centre = obj.origin;
     return read;
 }
@@ -441,6 +441,8 @@ private:
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
         ModelFile upper = read_model(files_[0]);
         const ModelFile onto = read_coarse(files_[1]);
+        for (const ModelFile* const read : {&std::as_const(upper), &onto})
+            for (const std::string& note : read->notes) print_note(note);
         // Both models are moved by one origin before they are rounded to float.
         for (Vertex& vertex : upper.model.mesh.vertices)
             vertex.position = glm::dvec3(vertex.position) + (upper.model.centre - onto.model.centre);
