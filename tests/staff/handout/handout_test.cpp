@@ -341,6 +341,15 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
     EXPECT_TRUE(
         contains(error.err, "the code that computes the exact values of 'normal' is not included in this course"))
         << error.err;
+
+    // A C++ task that does not compile stops no other lab.
+    const fs::path task = course() / "labs/05_tangent_basis/task.cpp";
+    write_file(task, read_file(task) + "int broken = ;\n");
+    const Result other = run({(course() / "relief").string(), "check", "06"});
+    EXPECT_EQ(other.code, 0) << other.err;
+    EXPECT_TRUE(contains(other.err, "labs/05_tangent_basis/task.cpp:")) << other.err;
+    EXPECT_TRUE(contains(other.err, "lab 06 is built without the other labs:")) << other.err;
+    EXPECT_EQ(run({(course() / "relief").string(), "check", "05"}).code, 1);
 }
 
 }  // namespace
