@@ -109,7 +109,7 @@ RELIEF_INLINE void solve(Batch& b, int i) {
     Doubles sum{};
     for (int k = 0; k < 3; ++k) sum += uv(k, 0) + uv(k, 1);
     for (const Vector& p : {p0, p1, p2}) sum += p.x + p.y + p.z;
-    const Doubles finite = sum - sum == 0 ? all(1) : all(0);
+    const Doubles finite = sum - sum == 0 ? all(1) : all(0);  // NOLINT(misc-redundant-expression): NaN otherwise
     const Doubles separate = ((l0 > 0) & (l1 > 0) & (l2 > 0)) ? all(1) : all(0);
     const Doubles uv_area = one_u * two_v - one_v * two_u;
     const Doubles side = (uv_area > 0 ? all(1) : uv_area < 0 ? all(-1) : all(0)) * separate * finite;
