@@ -1012,8 +1012,7 @@ TEST(Grade, DownloadsAndNearNamesAreGradedAndExplained) {
                    output.string(), "--class", at("class.toml")}));
     EXPECT_EQ(graded.code, 0) << graded.err;
     for (const char* note :
-         {"gina: 'task (1).glsl' is graded as shaders/01_specular_highlights/task.glsl, since there is no file of that "
-          "name and place",
+         {"gina: 'task (1).glsl' is graded as shaders/01_specular_highlights/task.glsl, since there is no file of",
           "jane: 2 uploads from Canvas are graded together", "'task-1.glsl' is graded as", "it was uploaded later",
           "kim: 'kim (1)' counts, and not 'kim': its number is that of the later copy",
           "'Gina Rossi_12345_assignsubmission_file_' is gina", "1 submission is not on the roster: stranger_7"})
