@@ -26,9 +26,8 @@ struct Heights {
 /// one without any height.
 ///
 /// - A picture of one channel, or a grey one, holds heights in its first channel; alpha is no height. The last of two
-/// or
-///   four channels holds them if the others are all of one colour, or if the first three are a normal map. So it does
-///   beside colours, as packed maps have it.
+///   or four channels holds them if the others are all of one colour, or if the first three are a normal map. So it
+///   does beside colours, as packed maps have it.
 /// - NaN, infinity and the marks of missing data (-9999, -32768, -3.4e38, 32768 in 16 bits ...) are voids. Of floats, a
 ///   mark is the lowest or highest value if it lies outside of [0, 1], and is farther from all others than these are
 ///   from each other. A void gets the weighted mean of the heights around it; the map repeats.

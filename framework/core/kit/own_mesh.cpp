@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "framework/core/base/error.h"
-#include "framework/core/base/log.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/own_picture.h"
 #include "framework/core/mesh/shapes.h"

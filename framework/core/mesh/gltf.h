@@ -1,8 +1,7 @@
 // glTF 2.0 models, .gltf and .glb, read into a mesh, with the normal maps of their materials.
 //
 // - All triangles of the default scene become one mesh, each with the matrix of its node: lists, strips and fans. A
-// file
-//   without scenes gives its roots.
+//   file without scenes gives its roots.
 // - Morph targets have the weights of the node, or else of the mesh. Skins have the pose of their joints.
 // - v grows upwards here, and downwards in glTF: v becomes 1 - v. Tangents and their handedness stay as they are,
 //   because glTF's bitangent points up in the picture, too. KHR_texture_transform is applied to the uv.
