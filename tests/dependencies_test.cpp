@@ -1,6 +1,6 @@
 // The arrows of the house: which room may include which, which code labs may share, and which calls and libraries only
-// one file may use. `core` has the parts of a lab, `course` the tools around the labs, and `staff` the code that
-// students never get.
+// one file may use. `core` hosts a lab, `library` has what labs share, `course` the tools around the labs, and `staff`
+// the code that students never get.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -19,9 +19,9 @@ using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
 const std::map<std::string, int> floors = {
-    {"core/base", 0},          {"core/image", 1},      {"core/mesh", 1},       {"core/height", 2},
+    {"core/base", 0},          {"core/image", 1},      {"library/mesh", 2},    {"library/maps", 2},
     {"staff/reference", 3},    {"core/gl", 4},         {"core/context", 5},    {"core/lab", 6},
-    {"core/kit", 7},           {"course/manifest", 8}, {"course/inspect", 9},  {"course/check", 9},
+    {"library/kit", 7},        {"course/manifest", 8}, {"course/inspect", 9},  {"course/check", 9},
     {"course/web", 10},        {"staff/grade", 10},    {"course/pages", 11},   {"staff/class", 11},
     {"staff/handout", 12},     {"staff/measure", 12},  {"staff/synctest", 12}, {"staff/questions", 12},
     {"staff/originality", 12}, {"staff/cluster", 12},  {"course/window", 12},  {"staff/pages", 13},
@@ -61,13 +61,15 @@ std::string mistake(const std::string& file, const std::string& include) {
     if (!include.starts_with("framework/")) return "";
     if (!floors.contains(to)) return "names no room of the framework";
     if (from.starts_with("core/") && !to.starts_with("core/")) return "the core includes nothing else";
+    if (from.starts_with("library/") && !to.starts_with("core/") && !to.starts_with("library/"))
+        return "the library includes the core alone";
     if (is_the_staffs(to) && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
     if (from.starts_with("labs")) {
         if (to == "core/lab" && include != "framework/core/lab/lab.h" && !file.ends_with("/staff/bench.cpp"))
             return "of that room a lab includes lab.h alone";
-        const bool core = to.starts_with("core/") && to != "core/context";
-        if (core || (from == "labs/staff" && to == "staff/reference")) return "";
-        if (!file.ends_with("/staff/bench.cpp")) return "a lab includes the core without contexts";
+        const bool shared = (to.starts_with("core/") && to != "core/context") || to.starts_with("library/");
+        if (shared || (from == "labs/staff" && to == "staff/reference")) return "";
+        if (!file.ends_with("/staff/bench.cpp")) return "a lab includes the core without contexts, and the library";
         return to == "staff/measure" || floors.at(to) < floors.at("staff/measure")
                    ? ""
                    : "a topic includes what its room may";
@@ -157,15 +159,17 @@ std::string unit_of(const std::string& path) {
 
 using Users = std::map<std::string, std::set<std::string>>;
 
-/// Returns the labs and the rooms that use each header of the core and each shader in shaders/common, directly or
-/// through others of them. `texts` are C++ files and shaders by their paths. A bench does not count as a user: what it
-/// measures belongs to a lab.
+/// Returns the labs and the rooms that use each header of the core or library and each shader in shaders/common,
+/// directly or through others of them. `texts` are C++ files and shaders by their paths. A bench does not count as a
+/// user: what it measures belongs to a lab.
 Users users_of_shared_code(const std::map<std::string, std::string>& texts) {
     Users users, direct;
     for (const auto& [path, text] : texts) {
-        if ((path.starts_with("framework/core/") && path.ends_with(".h")) || path.starts_with("shaders/common/"))
+        if (((path.starts_with("framework/core/") || path.starts_with("framework/library/")) && path.ends_with(".h")) ||
+            path.starts_with("shaders/common/"))
             users[unit_of(path)];
-        for (const std::string& name : quoted_names(text, "framework/core/")) direct[unit_of(name)].insert(path);
+        for (const char* part : {"framework/core/", "framework/library/"})
+            for (const std::string& name : quoted_names(text, part)) direct[unit_of(name)].insert(path);
         for (const std::string& name : quoted_names(text, "shaders/common/")) direct[name].insert(path);
         for (const std::string& name : quoted_names(text, "common/")) direct["shaders/" + name].insert(path);
     }
@@ -189,7 +193,8 @@ Users users_of_shared_code(const std::map<std::string, std::string>& texts) {
     return users;
 }
 
-/// Returns the shared code that one lab alone uses, or nobody, with this user: "framework/core/mesh/clip: labs/17_x".
+/// Returns the shared code that one lab alone uses, or nobody, with this user: "framework/library/mesh/clip:
+/// labs/17_x".
 Lines lonely(const Users& users) {
     Lines found;
     for (const auto& [unit, all] : users)
@@ -201,7 +206,7 @@ Lines lonely(const Users& users) {
 TEST(SharedCode, IsUsedByTwoLabsOrByAnotherRoom) {
     const Lines exceptions = {
         // The bench of lab 02 measures it, from framework/staff/measure.
-        "framework/core/image/bc1: labs/02_normal_map_storage",
+        "framework/library/maps/bc1: labs/02_normal_map_storage",
         // The twin of framework/staff/reference/mesh_rays.h, with which other labs compute exact values.
         "shaders/common/mesh_rays.glsl: labs/07_baking",
     };
@@ -215,25 +220,25 @@ TEST(SharedCode, IsUsedByTwoLabsOrByAnotherRoom) {
 
 TEST(SharedCode, FindsAPlantedHeaderOfOneLab) {
     std::map<std::string, std::string> texts = {
-        {"framework/core/mesh/mesh.h", ""},
-        {"framework/core/mesh/mesh.cpp", "#include \"framework/core/mesh/mesh.h\"\n"},
-        {"framework/core/mesh/clip.h", "#include \"framework/core/mesh/mesh.h\"\n"},
-        {"framework/staff/measure/clips.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
-        {"labs/07_baking/staff/truth.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
-        {"labs/07_baking/lab.cpp", "#include \"framework/core/mesh/clip.h\"\n"},
+        {"framework/library/mesh/polygon.h", ""},
+        {"framework/library/mesh/polygon.cpp", "#include \"framework/library/mesh/polygon.h\"\n"},
+        {"framework/library/mesh/clip.h", "#include \"framework/library/mesh/polygon.h\"\n"},
+        {"framework/staff/measure/clips.cpp", "#include \"framework/library/mesh/clip.h\"\n"},
+        {"labs/07_baking/staff/truth.cpp", "#include \"framework/library/mesh/clip.h\"\n"},
+        {"labs/07_baking/lab.cpp", "#include \"framework/library/mesh/clip.h\"\n"},
         {"shaders/common/ray.glsl", ""},
         {"shaders/07_baking/walk.glsl", "#include \"common/ray.glsl\"\n"},
     };
     EXPECT_EQ(lonely(users_of_shared_code(texts)),
-              (Lines{"framework/core/mesh/clip: labs/07_baking", "framework/core/mesh/mesh: labs/07_baking",
+              (Lines{"framework/library/mesh/clip: labs/07_baking", "framework/library/mesh/polygon: labs/07_baking",
                      "shaders/common/ray.glsl: labs/07_baking"}));
-    texts["labs/08_torus/torus.cpp"] = "#include \"framework/core/mesh/mesh.h\"\n";
+    texts["labs/08_torus/torus.cpp"] = "#include \"framework/library/mesh/polygon.h\"\n";
     texts["framework/core/gl/rays.h"] = "Programs rays{\"common/ray.glsl\"};\n";
     EXPECT_EQ(lonely(users_of_shared_code(texts)),
-              (Lines{"framework/core/gl/rays: nobody", "framework/core/mesh/clip: labs/07_baking",
+              (Lines{"framework/core/gl/rays: nobody", "framework/library/mesh/clip: labs/07_baking",
                      "shaders/common/ray.glsl: labs/07_baking"}));
     texts["framework/course/window/menu.cpp"] =
-        "#include \"framework/core/mesh/clip.h\"\n#include \"framework/core/gl/rays.h\"\n";
+        "#include \"framework/library/mesh/clip.h\"\n#include \"framework/core/gl/rays.h\"\n";
     EXPECT_EQ(lonely(users_of_shared_code(texts)), Lines());
 }
 
@@ -342,20 +347,23 @@ TEST(Dependencies, FindAPlantedUpwardInclude) {
     } cases[] = {
         {"framework/core/base/text.h", "framework/core/image/image.h", false},
         {"framework/core/image/mips.cpp", "framework/core/base/error.h", true},
-        {"framework/core/image/mips.cpp", "framework/core/mesh/mesh.h", false},
-        {"framework/core/mesh/shapes.cpp", "framework/core/image/image.h", false},
-        {"framework/core/height/test_maps.h", "framework/core/image/image.h", true},
+        {"framework/core/image/mips.cpp", "framework/library/mesh/polygon.h", false},
+        {"framework/library/mesh/shapes.cpp", "framework/core/image/image.h", true},
+        {"framework/library/mesh/shapes.cpp", "framework/library/maps/bounds.h", false},
+        {"framework/library/mesh/shapes.cpp", "framework/staff/reference/march.h", false},
+        {"framework/core/gl/gpu_mesh.h", "framework/library/mesh/shapes.h", false},
+        {"framework/library/maps/test_maps.h", "framework/core/image/image.h", true},
         {"framework/staff/reference/march.h", "framework/core/image/image.h", true},
         {"framework/core/gl/texture.cpp", "framework/core/context/context.h", false},
         {"framework/core/lab/lab.h", "framework/course/window/menu.h", false},
         {"framework/core/lab/lab.h", "framework/core/gl/program.h", true},
-        {"framework/core/lab/lab.h", "framework/core/kit/labels.h", false},
-        {"framework/core/kit/labels.h", "framework/course/check/check.h", false},
-        {"framework/course/check/check.h", "framework/core/kit/labels.h", true},
+        {"framework/core/lab/lab.h", "framework/library/kit/labels.h", false},
+        {"framework/library/kit/labels.h", "framework/course/check/check.h", false},
+        {"framework/course/check/check.h", "framework/library/kit/labels.h", true},
         {"framework/course/inspect/inspect.h", "framework/staff/reference/march.h", false},
         {"labs/07_baking/lab.cpp", "framework/course/inspect/inspect.h", false},
         {"framework/course/app/shot.cpp", "framework/staff/grade/mistake_pictures.h", false},
-        {"framework/core/mesh/obj.cpp", "framework/staff/reference/bake.h", false},
+        {"framework/library/mesh/obj.cpp", "framework/staff/reference/bake.h", false},
         {"framework/staff/app/bench.cpp", "framework/staff/measure/bench.h", true},
         {"framework/staff/app/bench.cpp", "framework/course/app/command.h", true},
         {"framework/staff/measure/bench.h", "framework/course/window/menu.h", false},
@@ -366,7 +374,7 @@ TEST(Dependencies, FindAPlantedUpwardInclude) {
         {"framework/course/window/menu.cpp", "../lab/lab.h", false},
         {"framework/core/lab/shot.cpp", "labs/07_baking/bake.h", false},
         {"labs/07_baking/lab.cpp", "framework/core/lab/lab.h", true},
-        {"labs/07_baking/lab.cpp", "framework/core/kit/tiles.h", true},
+        {"labs/07_baking/lab.cpp", "framework/library/kit/tiles.h", true},
         {"labs/07_baking/lab.cpp", "framework/staff/reference/march.h", false},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/reference/march.h", true},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/grade/marks.h", false},
@@ -399,7 +407,7 @@ TEST(Dependencies, FindAPlantedForeignLibrary) {
     EXPECT_FALSE(wrong_libraries("framework/core/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/core/context/window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("labs/07_baking/lab.cpp", "#include <imgui.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/core/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/library/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/course/pages/page.cpp", "#include <kainjow/mustache.hpp>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/staff/grade/submission.cpp", "#include <glib.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/course/pages/librsvg.cpp", "#include <librsvg/rsvg.h>\n").empty());

@@ -2,6 +2,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "framework/library/mesh/shapes.h"
+
 namespace relief::baking {
 namespace {
 

@@ -9,7 +9,6 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/base/share.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -93,51 +92,6 @@ TEST(Processes, AChildEndsWithItsOwner) {
     }
     std::string rest(1 << 20, ' ');  // more than a pipe holds: only the child's end can end this
     EXPECT_FALSE(read_all(pipe.read, rest.data(), rest.size()));
-}
-
-TEST(Processes, ShareWorkAndReportEachPart) {
-    std::map<int, int> times;
-    std::set<int> processes;
-    share_among_processes(
-        40,
-        [](const NextPart& next, const Say& say) {
-            while (const auto part = next()) {
-                usleep(2000);
-                say(fmt::format("{} {}", *part, getpid()));
-            }
-        },
-        [&](const std::string& text) {
-            const size_t space = text.find(' ');
-            ++times[std::stoi(text.substr(0, space))];
-            processes.insert(std::stoi(text.substr(space)));
-        });
-    EXPECT_EQ(times.size(), 40u);
-    for (const auto& [part, count] : times) EXPECT_EQ(count, 1) << part;
-    EXPECT_EQ(processes.size(), std::min(40u, hardware_threads()));
-    EXPECT_FALSE(processes.contains(getpid())) << "not in this one, which may have a context";
-}
-
-TEST(Processes, AFailureOrCrashEndsTheSharedWork) {
-    const auto failure = [](const std::function<void()>& fail) -> std::string {
-        try {
-            share_among_processes(
-                1000,
-                [&](const NextPart& next, const Say& say) {
-                    while (const auto part = next()) {
-                        if (*part == 3) fail();
-                        say("x");
-                    }
-                },
-                [](const std::string&) {});
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_EQ(failure([] { throw Error("the third is missing"); }), "the third is missing");
-    EXPECT_TRUE(failure([] { raise(SIGKILL); }).starts_with("a process of this program crashed: "));
-    EXPECT_EQ(failure([] { _exit(7); }), "a process of this program ended with exit code 7");
-    EXPECT_EQ(failure([] {}), "");
 }
 
 TEST(Processes, NoBrowserIsOpenedWithoutADisplay) {

@@ -1,4 +1,5 @@
 // Surfaces against their finite differences, and rays against surfaces and meshes.
+#include "framework/library/mesh/shapes.h"
 #include "framework/staff/reference/surfaces.h"
 
 #include <gtest/gtest.h>
