@@ -1,6 +1,7 @@
 // Explains one pixel by the values in the lab's shader task files, over the picture. In the window module only.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -14,8 +15,12 @@ class Stage;
 
 class PixelExplanation {
 public:
-    /// Selects a pixel: column and row from the picture's upper left corner.
-    void ask(glm::ivec2 pixel) { pixel_ = pixel, lines_.clear(), told_ = false; }
+    /// Selects a pixel of the stage's picture after this many edits: column and row from its upper left corner.
+    void ask(glm::ivec2 pixel, int64_t edits) { pixel_ = pixel, edits_ = edits, lines_.clear(), told_ = false; }
+    /// Closes it after a later edit: it explains another picture.
+    void close_after_edits(int64_t edits) {
+        if (edits != edits_) close();
+    }
     void close() { pixel_.reset(), lines_.clear(); }
     bool is_open() const { return pixel_.has_value(); }
 
@@ -27,6 +32,7 @@ public:
 
 private:
     std::optional<glm::ivec2> pixel_;
+    int64_t edits_ = 0;
     std::vector<std::string> lines_;
     std::string conclusion_;
     bool told_ = false;

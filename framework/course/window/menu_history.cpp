@@ -1,5 +1,7 @@
 #include "framework/course/window/menu_history.h"
 
+#include "framework/course/window/menu_stage.h"
+
 namespace relief::window {
 namespace {
 
@@ -9,25 +11,31 @@ bool same(const Shot& a, const Shot& b) { return a.set == b.set && a.camera == b
 
 }  // namespace
 
-void History::begin(Shot now) { steps_ = {std::move(now)}, at_ = 0; }
+void History::begin(const Stage& stage) { steps_ = {stage.settings()}, at_ = 0, edits_ = stage.edits(); }
 
-void History::note(const Shot& now) {
-    if (steps_.empty()) return begin(now);
+void History::note(const Stage& stage) {
+    if (edits_ == stage.edits()) return;
+    edits_ = stage.edits();
+    Shot now = stage.settings();
     if (same(now, steps_[at_])) return;
     steps_.resize(at_ + 1);
-    steps_.push_back(now);
+    steps_.push_back(std::move(now));
     if (steps_.size() > most_steps) steps_.erase(steps_.begin());
     at_ = steps_.size() - 1;
 }
 
-std::optional<Shot> History::undo() {
-    if (at_ == 0) return {};
-    return steps_[--at_];
+void History::undo(Stage& stage) {
+    if (at_ > 0) go(stage, at_ - 1);
 }
 
-std::optional<Shot> History::redo() {
-    if (at_ + 1 >= steps_.size()) return {};
-    return steps_[++at_];
+void History::redo(Stage& stage) {
+    if (at_ + 1 < steps_.size()) go(stage, at_ + 1);
+}
+
+void History::go(Stage& stage, size_t step) {
+    at_ = step;
+    stage.apply(steps_[at_]);
+    edits_ = stage.edits();  // a value that text does not hold exactly is no new step
 }
 
 }  // namespace relief::window

@@ -25,7 +25,7 @@ void draw_probes(Stage& stage, bool error_map, MenuWish& wish) {
         tooltip("This quantity as the shader computes it, in place of the picture" +
                 (probe.unit.empty() ? "." : "; its unit is the " + probe.unit + "."));
     }
-    if (ImGui::Checkbox("error map beside it", &error_map)) wish.error_map = true;
+    if (ImGui::Checkbox("error map beside it", &error_map)) wish.ask(MenuAction::toggle_error_map);
     tooltip("How far the probe is from its exact value, at each pixel (E).");
 }
 
@@ -60,7 +60,7 @@ void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& che
             ImGui::Dummy({0, 6});
             if (!paints) brush.draw(stage, wish);
             if (dynamic_cast<MapMaker*>(stage.lab())) {
-                if (ImGui::Button("Save map")) wish.save_map = true;
+                if (ImGui::Button("Save map")) wish.ask(MenuAction::save_map);
                 tooltip("Saves the map that the lab makes, as PNG of 16 bits, under a new name (M).");
             }
         });

@@ -3,26 +3,69 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "framework/core/base/error.h"
 #include "framework/core/lab/registry.h"
 
 namespace relief::window {
 
+/// A request without parameters, by a key or a button. `toggle` opens what is closed, and closes what is open.
+enum class MenuAction {
+    // The window
+    toggle_help,
+    open_search,
+    close_search,
+    close_list,
+    open_labs,  ///< the start page
+    close_labs,
+    choose_lab,  ///< opens the lab that is marked on the start page
+    next_lab,
+    previous_lab,
+    larger,
+    smaller,
+    usual_size,
+    quit,
+    // The lab
+    reset_lab,
+    reset_camera,
+    turn_camera,  ///< or stop it
+    stop_motion,
+    pause,  ///< or go on
+    undo,
+    redo,
+    explain_pixel,
+    close_explanation,
+    close_check,
+    show_tasks,  ///< opens the panel's checks
+    toggle_panel,
+    toggle_handout,
+    toggle_error_map,
+    toggle_brush,
+    toggle_wipe,
+    swap_wipe,
+    save_picture,
+    save_map,      ///< the map that the lab makes
+    save_heights,  ///< the heights that the lab shows
+    edit_error,
+};
+
 struct MenuWish {
+    std::vector<MenuAction> actions = {};  ///< in the order of the keys
     const LabEntry* lab = nullptr;
-    int step = 0;                             ///< 1: the next lab, -1: the previous one
-    bool handout = false, error_map = false;  ///< toggle
-    bool help = false, search = false;        ///< toggle
-    bool labs = false;                        ///< open the start page
-    bool save_map = false;                    ///< save the map that the lab makes
-    bool save_heights = false;                ///< save the heights that the lab shows
-    std::string message = {};                 ///< show this in the status line
-    bool tasks = false;                       ///< open the panel's checks
-    std::optional<std::string> check = {};    ///< show this check; "": the picture again
-    std::string knob = {}, probe = {};        ///< show the slider of this knob; show this probe
-    std::string value = {};                   ///< set `knob` to this value
-    Place edit = {};                          ///< open this place in the editor
+    std::optional<std::string> check = {};  ///< show this check; "": the picture again
+    std::string knob = {}, probe = {};      ///< show the slider of this knob; show this probe
+    std::string value = {};                 ///< set `knob` to this value
+    Place edit = {};                        ///< open this place in the editor
+    std::string message = {};               ///< show this in the status line
+    float scroll = 0;                       ///< scroll the handout by this many lines
+    int columns = 0, rows = 0;              ///< move the mark of the start page
+
+    void ask(MenuAction action) { actions.push_back(action); }
+    bool is_empty() const {
+        return actions.empty() && !lab && !check && knob.empty() && probe.empty() && edit.file.empty() &&
+               message.empty() && scroll == 0 && columns == 0 && rows == 0;
+    }
 };
 
 }  // namespace relief::window

@@ -1,0 +1,68 @@
+#include "framework/course/window/menu_session.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/course/window/menu_imgui.h"
+#include "framework/course/window/menu_style.h"
+
+namespace relief::window {
+
+float scale_of(GLFWwindow* window) {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window, &x, &y);
+    if (x > 1) return x;
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return 1;
+    int width = 0, height = 0;  // in millimetres; 0 if unknown
+    glfwGetMonitorPhysicalSize(monitor, &width, &height);
+    if (height <= 0) return 1;
+    const float density = float(mode->height) * 25.4f / float(height) / 96;
+    return std::max(1.0f, std::round(4 * std::min(density, float(mode->height) / 1080)) / 4);
+}
+
+void fit_to_display(GLFWwindow* window, float scale) {
+    glm::ivec2 size{0, 0}, room{0, 0};
+    glfwGetWindowSize(window, &size.x, &size.y);
+    int x = 0, y = 0;
+    if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorWorkarea(monitor, &x, &y, &room.x, &room.y);
+    const auto wanted = glm::ivec2(glm::vec2(size) * scale);
+    if (room.x > 0 && room.y > 0) glfwSetWindowSize(window, std::min(wanted.x, room.x), std::min(wanted.y, room.y));
+}
+
+ImGuiSession::ImGuiSession(GLFWwindow* window, float scale) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // the menu writes no files
+    style_menu(scale);
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+}
+
+ImGuiSession::~ImGuiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void ImGuiSession::scale(float scale) {
+    style_menu(scale);
+    upload_fonts();
+}
+
+void ImGuiSession::begin_frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void ImGuiSession::end_frame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace relief::window
