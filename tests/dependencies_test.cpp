@@ -249,6 +249,24 @@ TEST(Dependencies, PointDown) {
     EXPECT_GT(count, 50) << "the course has more source files than that";
 }
 
+TEST(Rooms, AreListedInContributing) {
+    std::ifstream stream(fs::path(source_folder) / "CONTRIBUTING.md");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    for (const auto& [room, floor] : floors) {
+        const size_t slash = room.find('/');
+        const size_t table = text.find("| room of `framework/" + room.substr(0, slash) + "`");
+        ASSERT_NE(table, std::string::npos) << room;
+        const std::string rows = text.substr(table, text.find("\n\n", table) - table);
+        EXPECT_TRUE(std::regex_search(rows, std::regex("\n\\|[^|]*`" + room.substr(slash + 1) + "`"))) << room;
+    }
+    for (const auto& part : fs::directory_iterator(fs::path(source_folder) / "framework"))
+        for (const auto& room : fs::directory_iterator(part)) {
+            if (!room.is_directory()) continue;
+            EXPECT_TRUE(floors.contains(room.path().lexically_relative(part.path().parent_path()).string()))
+                << room.path() << " is no room";
+        }
+}
+
 TEST(Dependencies, KeepForeignLibrariesInTheirOwnFiles) {
     int images = 0, windows = 0;
     each_source([&](const std::string& file, const std::string& text) {
