@@ -119,7 +119,7 @@ TEST(Switches, AreEachReadByAShader) {
     static const std::regex form("([A-Z][A-Z0-9_]*[A-Z0-9])( [A-Za-z0-9_.-]+)?");
     const Names read = read_shaders().read;
     int count = 0;
-    for (const char* const folder : {"labs", "framework/core/kit"})
+    for (const char* const folder : {"labs", "framework/library/kit"})
         each_file(folder, cpp, [&](const fs::path& file, const std::string& text) {
             for (const std::string& literal : literals_of(without_comments(text))) {
                 std::smatch match;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/core/mesh/shapes.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/shapes.h"
+#include "framework/library/mesh/tangents.h"
 #include "framework/staff/reference/bake.h"
 
 namespace relief {

@@ -1,8 +1,8 @@
 // A ring of rope: a coarse model with the normal map of a fine one, as glTF 2.0.
 #pragma once
 
+#include "framework/core/base/mesh.h"
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/mesh.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 
 #include "framework/core/gl/object.h"
 #include "framework/core/image/asset.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 #include "scene.h"
 
 namespace relief::colonnade {

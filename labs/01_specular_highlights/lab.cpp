@@ -6,11 +6,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "floor.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/culling.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/culling.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/tiles.h"
 #include "scene.h"
 #include "truth.h"
 

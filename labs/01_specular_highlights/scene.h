@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief::colonnade {
 

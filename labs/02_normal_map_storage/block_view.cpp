@@ -5,10 +5,10 @@
 #include "blocks.h"
 #include "encoded_texture.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/bc1.h"
-#include "framework/core/image/own_picture.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/view_axes.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/view_axes.h"
+#include "framework/library/maps/bc1.h"
+#include "framework/library/maps/own_picture.h"
 
 namespace relief::storage {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "framework/core/image/compare.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/window_triangle.h"
 #include "maps.h"
 
 namespace relief::storage {

@@ -3,7 +3,7 @@
 
 #include "framework/core/image/compare.h"
 #include "framework/core/image/image.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/window_triangle.h"
 
 namespace relief::heights {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "framework/core/image/asset.h"
-#include "framework/core/image/heights.h"
 #include "framework/core/image/mips.h"
-#include "framework/core/image/resample.h"
+#include "framework/library/maps/heights.h"
+#include "framework/library/maps/resample.h"
 #include "heights.h"
 
 namespace relief::heights {

@@ -3,10 +3,10 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/core/height/line_slopes.h"
-#include "framework/core/image/own_picture.h"
-#include "framework/core/kit/choices.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/maps/line_slopes.h"
+#include "framework/library/maps/own_picture.h"
 
 namespace relief::heights {
 

@@ -1,6 +1,6 @@
 #include "truth.h"
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "heights.h"
 
 namespace relief::heights {

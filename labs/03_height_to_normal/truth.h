@@ -2,8 +2,8 @@
 #pragma once
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/height/line_slopes.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/maps/line_slopes.h"
 
 namespace relief::heights {
 

@@ -7,13 +7,13 @@
 #include <memory>
 
 #include "framework/core/gl/texel_target.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/tiles.h"
-#include "framework/core/kit/window_triangle.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/kit/window_triangle.h"
 #include "quilt.h"
 #include "truth.h"
 

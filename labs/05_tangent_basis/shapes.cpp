@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/mesh/obj.h"
+#include "framework/library/mesh/obj.h"
 
 namespace relief::basis {
 namespace {

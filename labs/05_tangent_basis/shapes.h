@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
+#include "framework/library/kit/choices.h"
 
 namespace relief::basis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "framework/core/base/unfinished.h"
-#include "framework/core/mesh/frame.h"
+#include "framework/library/mesh/frame.h"
 
 namespace relief::basis {
 

@@ -28,7 +28,7 @@ double corner_weight(Weight weight, const Triangle& triangle, int corner);
 
 /// Returns the tangent of a vertex from the weighted sum of its triangles' tangents. It has unit length, is
 /// perpendicular to the unit normal, and has the handedness in w. If the sum is zero or parallel to the normal, it is
-/// any perpendicular, as any_perpendicular() in framework/core/mesh/frame.h.
+/// any perpendicular, as any_perpendicular() in framework/library/mesh/frame.h.
 glm::dvec4 vertex_tangent(const glm::dvec3& sum, const glm::dvec3& normal, double handedness);
 
 }  // namespace relief::basis

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/mesh/frame.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/frame.h"
+#include "framework/library/mesh/tangents.h"
 
 namespace relief::basis {
 namespace {

@@ -1,8 +1,8 @@
 // Tangents for a whole mesh, by the functions of task.cpp.
 #pragma once
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
+#include "framework/library/kit/choices.h"
 #include "task.h"
 
 namespace relief::basis {

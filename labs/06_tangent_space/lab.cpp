@@ -7,14 +7,14 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/core/base/error.h"
-#include "framework/core/image/own_picture.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/own_maps.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/own_maps.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/maps/own_picture.h"
 #include "scene.h"
 #include "truth.h"
 

@@ -1,7 +1,7 @@
 // The shapes of lab 06, and the depth of its bricks.
 #pragma once
 
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief::frames {
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "framework/core/gl/texel_target.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/window_triangle.h"
 #include "models.h"
 #include "ray_mesh.h"
 

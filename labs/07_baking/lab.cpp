@@ -6,10 +6,10 @@
 
 #include "cut.h"
 #include "framework/core/base/error.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/made_map.h"
-#include "framework/core/kit/own_maps.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/made_map.h"
+#include "framework/library/kit/own_maps.h"
 #include "views.h"
 
 namespace relief::baking {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/core/gl/vertex_stream.h"
-#include "framework/core/kit/tiles.h"
+#include "framework/library/kit/tiles.h"
 
 namespace relief {
 

@@ -4,9 +4,9 @@
 // together, so a ray that leaves one may hit another.
 #pragma once
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/own_mesh.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/own_mesh.h"
 
 namespace relief::baking {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "framework/core/lab/lab.h"
-#include "framework/core/mesh/tree.h"
+#include "framework/library/mesh/tree.h"
 
 namespace relief {
 

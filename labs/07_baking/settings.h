@@ -2,7 +2,7 @@
 #pragma once
 
 #include "baker.h"
-#include "framework/core/kit/light.h"
+#include "framework/library/kit/light.h"
 
 namespace relief::baking {
 

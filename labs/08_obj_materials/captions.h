@@ -1,7 +1,7 @@
 // The words beside the garden of lab 08.
 #pragma once
 
-#include "framework/core/kit/labels.h"
+#include "framework/library/kit/labels.h"
 #include "scene.h"
 
 namespace relief::materials {

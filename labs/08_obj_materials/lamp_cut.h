@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/window_triangle.h"
 #include "truth.h"
 
 namespace relief::materials {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "framework/core/gl/program.h"
-#include "framework/core/kit/choices.h"
+#include "framework/library/kit/choices.h"
 
 namespace relief::materials {
 

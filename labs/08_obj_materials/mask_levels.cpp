@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "obj_textures.h"
 #include "truth.h"
 

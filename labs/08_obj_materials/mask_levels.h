@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/window_triangle.h"
 #include "settings.h"
 
 namespace relief::materials {

@@ -5,7 +5,7 @@
 #include "coverage.h"
 #include "framework/core/image/asset.h"
 #include "framework/core/image/mips.h"
-#include "framework/core/image/own_picture.h"
+#include "framework/library/maps/own_picture.h"
 
 namespace relief {
 namespace {

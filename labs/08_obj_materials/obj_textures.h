@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/core/gl/texture.h"
-#include "framework/core/kit/obj_scene.h"
+#include "framework/library/kit/obj_scene.h"
 
 namespace relief {
 

@@ -1,8 +1,8 @@
 // The knobs of lab 08. The table of lamps is in lights.h.
 #pragma once
 
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/obj_scene.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/obj_scene.h"
 #include "lights.h"
 
 namespace relief::materials {

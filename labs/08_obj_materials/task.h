@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/core/kit/obj_scene.h"
+#include "framework/library/kit/obj_scene.h"
 
 namespace relief::materials {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "framework/core/base/ray.h"
 #include "framework/core/lab/lab.h"
-#include "framework/core/mesh/ray.h"
 
 namespace relief {
 

@@ -8,10 +8,10 @@
 
 #include <algorithm>
 
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/made_map.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/made_map.h"
+#include "framework/library/kit/tiles.h"
 #include "task.h"
 #include "truth.h"
 #include "views.h"

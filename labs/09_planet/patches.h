@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "eye.h"
-#include "framework/core/kit/choices.h"
+#include "framework/library/kit/choices.h"
 #include "heights.h"
 #include "sphere_patches.h"
 

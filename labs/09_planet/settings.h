@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/core/kit/light.h"
+#include "framework/library/kit/light.h"
 #include "globe.h"
 
 namespace relief::planet {

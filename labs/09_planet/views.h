@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/kit/tiles.h"
+#include "framework/library/kit/tiles.h"
 #include "settings.h"
 
 namespace relief::planet {

@@ -10,12 +10,12 @@
 #include "eye.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/relief_surface.h"
-#include "framework/core/kit/tiles.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/tiles.h"
 #include "truth.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/kit/relief_surface.h"
+#include "framework/library/kit/relief_surface.h"
 
 namespace relief::offsets {
 

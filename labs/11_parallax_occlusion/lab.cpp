@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 
 #include "framework/core/base/text.h"
-#include "framework/core/height/bounds.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/relief_surface.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/maps/bounds.h"
 #include "truth.h"
 
 namespace relief {

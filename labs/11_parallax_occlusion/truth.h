@@ -5,7 +5,7 @@
 
 #include "framework/core/base/from_staff.h"
 #include "framework/core/lab/lab.h"
-#include "framework/core/mesh/relief.h"
+#include "framework/library/mesh/relief.h"
 
 namespace relief::occlusion {
 

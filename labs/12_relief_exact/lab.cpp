@@ -6,12 +6,12 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/tiles.h"
 #include "skips.h"
 #include "truth.h"
 

@@ -3,8 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/core/kit/relief_surface.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/relief_surface.h"
 
 namespace relief::exact {
 

@@ -5,11 +5,11 @@
 #include <chrono>
 
 #include "framework/core/gl/counters.h"
-#include "framework/core/height/bounds.h"
-#include "framework/core/height/skips.h"
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/relief_surface.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/relief_surface.h"
+#include "framework/library/maps/bounds.h"
+#include "framework/library/maps/skips.h"
 
 namespace relief::exact {
 

@@ -4,12 +4,12 @@
 // real, up to its outline. Your tasks: shaders/13_displacement/task.glsl
 #include <fmt/format.h>
 
-#include "framework/core/kit/displaced_surface.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/shadow_map.h"
-#include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/displaced_surface.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/shadow_map.h"
+#include "framework/library/kit/tiles.h"
 #include "truth.h"
 
 namespace relief {

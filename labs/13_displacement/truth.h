@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/kit/displaced_surface.h"
+#include "framework/library/kit/displaced_surface.h"
 
 namespace relief::displacement {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "scene.h"
 
 namespace relief::adaptive {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "framework/core/kit/displaced_surface.h"
-#include "framework/core/kit/labels.h"
+#include "framework/library/kit/displaced_surface.h"
+#include "framework/library/kit/labels.h"
 #include "settings.h"
 
 namespace relief::adaptive {

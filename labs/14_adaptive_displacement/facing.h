@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "framework/core/mesh/patches.h"
+#include "framework/library/mesh/patches.h"
 #include "patch_heights.h"
 
 namespace relief {

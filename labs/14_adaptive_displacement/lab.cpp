@@ -8,13 +8,13 @@
 #include <limits>
 
 #include "annotations.h"
-#include "framework/core/kit/displaced_surface.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/shadow_map.h"
-#include "framework/core/kit/tiles.h"
-#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/displaced_surface.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/shadow_map.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/kit/uniforms.h"
 #include "scene.h"
 #include "settings.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "framework/core/kit/displaced_surface.h"
+#include "framework/library/kit/displaced_surface.h"
 #include "patch_heights.h"
 
 namespace relief::adaptive {

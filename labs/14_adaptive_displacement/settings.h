@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/displaced_surface.h"
-#include "framework/core/kit/light.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/displaced_surface.h"
+#include "framework/library/kit/light.h"
 
 namespace relief::adaptive {
 

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include "framework/core/gl/cube_texture.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/evening_sky.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/tiles.h"
-#include "framework/core/kit/view_axes.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/evening_sky.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/kit/view_axes.h"
+#include "framework/library/kit/window_triangle.h"
 #include "rings.h"
 #include "settings.h"
 

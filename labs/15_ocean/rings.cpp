@@ -4,8 +4,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/core/kit/culling.h"
-#include "framework/core/kit/view_axes.h"
+#include "framework/library/kit/culling.h"
+#include "framework/library/kit/view_axes.h"
 
 namespace relief::ocean {
 namespace {

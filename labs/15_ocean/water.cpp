@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "framework/core/base/error.h"
-#include "framework/core/image/heights.h"
-#include "framework/core/image/resample.h"
-#include "framework/core/kit/uniforms.h"
+#include "framework/library/kit/uniforms.h"
+#include "framework/library/maps/heights.h"
+#include "framework/library/maps/resample.h"
 #include "task.h"
 
 namespace relief::ocean {

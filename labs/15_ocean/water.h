@@ -4,9 +4,9 @@
 #include <array>
 #include <tuple>
 
-#include "framework/core/image/own_picture.h"
-#include "framework/core/kit/kept.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/maps/own_picture.h"
 #include "truth.h"
 #include "waves.h"
 

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "framework/core/gl/cube_texture.h"
-#include "framework/core/kit/evening_sky.h"
-#include "framework/core/kit/labels.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/tiles.h"
-#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/evening_sky.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/tiles.h"
+#include "framework/library/kit/uniforms.h"
 #include "occlusion.h"
 #include "one_pixel.h"
 #include "stage.h"

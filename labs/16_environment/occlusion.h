@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "framework/core/gl/texel_target.h"
-#include "framework/core/kit/view_axes.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/view_axes.h"
+#include "framework/library/kit/window_triangle.h"
 #include "stage.h"
 
 namespace relief::court {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/labels.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/labels.h"
 #include "truth.h"
 
 namespace relief::court {

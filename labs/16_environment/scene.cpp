@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/mesh/parallelogram.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/parallelogram.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief::court {
 namespace {

@@ -1,10 +1,10 @@
 // The scene of lab 16 on the GPU: a mesh and maps for each material.
 #pragma once
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/uniforms.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/uniforms.h"
 #include "scene.h"
 
 namespace relief::court {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "framework/core/gl/depth_target.h"
-#include "framework/core/kit/light.h"
+#include "framework/library/kit/light.h"
 #include "stage.h"
 
 namespace relief::court {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/kit/choices.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
 #include "scene.h"
 
 namespace relief::court {

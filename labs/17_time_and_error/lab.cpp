@@ -7,13 +7,13 @@
 #include <bit>
 
 #include "framework/core/base/text.h"
-#include "framework/core/gl/gpu_patches.h"
 #include "framework/core/gl/vertex_stream.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/kept.h"
-#include "framework/core/kit/light.h"
-#include "framework/core/kit/relief_surface.h"
-#include "framework/core/kit/uniforms.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/gpu_patches.h"
+#include "framework/library/kit/kept.h"
+#include "framework/library/kit/light.h"
+#include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/uniforms.h"
 #include "methods.h"
 #include "truth.h"
 

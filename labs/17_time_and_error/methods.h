@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/labels.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/labels.h"
 #include "wall.h"
 
 namespace relief::budget {

@@ -6,7 +6,7 @@
 
 #include "framework/core/gl/gpu_mesh.h"
 #include "framework/core/gl/vertex_stream.h"
-#include "framework/core/kit/kept.h"
+#include "framework/library/kit/kept.h"
 #include "skin.h"
 
 namespace relief::moving_frames {

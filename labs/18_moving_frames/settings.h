@@ -1,8 +1,8 @@
 // The knobs of lab 18. Each choice has one table: its values, their names, and their defines in the shaders.
 #pragma once
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/light.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/light.h"
 #include "skin.h"
 
 namespace relief::moving_frames {

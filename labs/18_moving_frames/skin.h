@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dual_quaternion.h"
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief::moving_frames {
 

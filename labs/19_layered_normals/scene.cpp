@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief::layered_normals {
 namespace {

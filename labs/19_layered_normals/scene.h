@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 #include "settings.h"
 
 namespace relief::layered_normals {

@@ -1,9 +1,9 @@
 // The knobs of lab 19. Each choice has one table: its values, their names, and their defines in the shaders.
 #pragma once
 
-#include "framework/core/kit/choices.h"
-#include "framework/core/kit/light.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/kit/choices.h"
+#include "framework/library/kit/light.h"
 
 namespace relief::layered_normals {
 

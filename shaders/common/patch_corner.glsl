@@ -1,5 +1,5 @@
 // A corner of a patch, passed from the vertex shader to the control and evaluation shaders. Values that two patches
-// share are bit-identical in both: see framework/core/mesh/patches.h.
+// share are bit-identical in both: see framework/library/mesh/patches.h.
 
 struct PatchCorner {
     vec3 position, normal;

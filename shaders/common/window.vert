@@ -1,5 +1,5 @@
 #version 410 core
-// One triangle over the whole viewport: see framework/core/kit/window_triangle.h.
+// One triangle over the whole viewport: see framework/library/kit/window_triangle.h.
 
 out vec2 v_clip;
 

@@ -10,7 +10,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
-#include "framework/core/mesh/gltf.h"
+#include "framework/library/mesh/gltf.h"
 
 namespace relief {
 namespace {

@@ -1,5 +1,5 @@
 // glTF models, as text and as .glb. A mesh that is read has indices in range, and unit normals and tangents.
-#include "framework/core/mesh/gltf.h"
+#include "framework/library/mesh/gltf.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

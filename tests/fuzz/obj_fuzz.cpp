@@ -2,8 +2,8 @@
 // Tangents must be computable for every mesh that is read.
 #include <algorithm>
 
-#include "framework/core/mesh/obj.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/obj.h"
+#include "framework/library/mesh/tangents.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

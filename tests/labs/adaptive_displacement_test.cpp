@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "framework/core/kit/displaced_surface.h"
+#include "framework/library/kit/displaced_surface.h"
 #include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/tessellation.h"
 #include "labs/14_adaptive_displacement/scene.h"

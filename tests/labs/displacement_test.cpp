@@ -1,6 +1,6 @@
 // Lab 13: tessellation converges to the exact surface, reads the expected mip level and has the exact normals, at any
 // distance from the origin. Every pixel is finite.
-#include "framework/core/kit/displaced_surface.h"
+#include "framework/library/kit/displaced_surface.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/patch_points.h"
 #include "tests/labs/feedback.h"

@@ -3,7 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/core/gl/counters.h"
-#include "framework/core/kit/evening_sky.h"
+#include "framework/library/kit/evening_sky.h"
 #include "framework/staff/reference/ambient_occlusion.h"
 #include "labs/16_environment/scene.h"
 #include "tests/labs/shots.h"

@@ -5,9 +5,9 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/kit/made_map.h"
 #include "framework/course/check/check.h"
 #include "framework/course/check/explain.h"
+#include "framework/library/kit/made_map.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/support.h"
 

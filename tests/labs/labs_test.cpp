@@ -20,9 +20,9 @@
 #include "framework/core/gl/gl.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/image/visualize.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/support.h"
 
 namespace relief {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "framework/core/height/test_maps.h"
 #include "framework/core/image/mips.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/height_field.h"
 
 namespace relief {

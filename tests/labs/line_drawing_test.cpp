@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 
 namespace relief {
 namespace {

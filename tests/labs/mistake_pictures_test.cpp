@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/support.h"
 
 namespace relief {

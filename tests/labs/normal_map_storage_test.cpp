@@ -4,8 +4,8 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/image/bc1.h"
-#include "framework/core/kit/labels.h"
+#include "framework/library/kit/labels.h"
+#include "framework/library/maps/bc1.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/rgtc.h"
 #include "labs/02_normal_map_storage/blocks.h"

@@ -1,7 +1,7 @@
 // Lab 11: the shader's march matches its double-precision twin and the published errors for such maps. Optimisations do
 // not change the picture, and every pixel is finite.
 #include "framework/core/base/parallel.h"
-#include "framework/core/height/test_maps.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "tests/labs/shots.h"
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "framework/core/gl/counters.h"
-#include "framework/core/kit/relief_material.h"
+#include "framework/library/kit/relief_material.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/terminator.h"
 #include "tests/core/gl/glsl_function.h"

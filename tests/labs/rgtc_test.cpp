@@ -9,8 +9,8 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/program.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/window_triangle.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/window_triangle.h"
 #include "labs/02_normal_map_storage/encoded_texture.h"
 #include "tests/support.h"
 

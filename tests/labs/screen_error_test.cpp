@@ -5,8 +5,8 @@
 #include <numeric>
 #include <optional>
 
-#include "framework/core/height/test_maps.h"
-#include "framework/core/kit/displaced_surface.h"
+#include "framework/library/kit/displaced_surface.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/patch_points.h"
 #include "tests/labs/shots.h"

@@ -3,7 +3,7 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

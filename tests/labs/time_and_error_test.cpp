@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "framework/core/gl/counters.h"
-#include "framework/core/kit/relief_material.h"
+#include "framework/library/kit/relief_material.h"
 #include "framework/staff/reference/least_move.h"
 #include "labs/17_time_and_error/wall.h"
 #include "tests/labs/shots.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include "framework/core/base/mesh.h"
 #include "framework/core/gl/object.h"
-#include "framework/core/mesh/mesh.h"
 
 namespace relief {
 

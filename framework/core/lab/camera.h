@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/core/mesh/ray.h"
+#include "framework/core/base/ray.h"
 
 namespace relief {
 

@@ -15,7 +15,7 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/probe.h"
 #include "framework/core/lab/registry.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 

@@ -14,9 +14,9 @@
 #include "framework/core/gl/gl.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/core/image/visualize.h"
 #include "framework/course/app/command.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::app {
 namespace {

@@ -10,14 +10,14 @@
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/core/image/visualize.h"
-#include "framework/core/kit/made_map.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/app/shot.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/manifest/no_truth.h"
 #include "framework/course/pages/picture_words.h"
+#include "framework/library/kit/made_map.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::app {
 namespace {

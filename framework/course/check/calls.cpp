@@ -10,8 +10,8 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/texture.h"
-#include "framework/core/kit/window_triangle.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/kit/window_triangle.h"
 
 namespace relief::check {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/heights.h"
 #include "framework/course/inspect/reading.h"
 #include "framework/course/inspect/seam.h"
 #include "framework/course/inspect/slopes.h"
 #include "framework/course/inspect/zero.h"
+#include "framework/library/maps/heights.h"
 
 namespace relief::inspect {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "framework/core/image/color.h"
-#include "framework/core/image/heights.h"
+#include "framework/library/maps/heights.h"
 
 namespace relief::inspect {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/image/visualize.h"
 #include "framework/core/lab/registry.h"
 #include "framework/core/lab/shot.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "framework/core/base/text.h"
-#include "framework/core/image/visualize.h"
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::pages {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "framework/core/base/error.h"
-#include "framework/core/image/visualize.h"
 #include "framework/core/lab/words.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::pages {
 namespace {

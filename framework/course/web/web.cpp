@@ -12,12 +12,12 @@
 #include "framework/core/base/own_file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/visualize.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/check.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/web/webgl.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::web {
 namespace {

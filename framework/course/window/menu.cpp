@@ -11,7 +11,6 @@
 #include <map>
 #include <utility>
 
-#include "framework/core/base/editor.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/own_file.h"
@@ -21,7 +20,7 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
-#include "framework/core/kit/made_map.h"
+#include "framework/course/window/editor.h"
 #include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_view.h"
 #include "framework/course/window/menu_checks.h"
@@ -44,6 +43,7 @@
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_wipe.h"
 #include "framework/course/window/menu_words.h"
+#include "framework/library/kit/made_map.h"
 
 namespace relief::window {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "framework/core/kit/made_map.h"
+#include "framework/library/kit/made_map.h"
 
 namespace relief::window {
 

@@ -13,15 +13,15 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/own_picture.h"
-#include "framework/core/image/visualize.h"
-#include "framework/core/kit/made_map.h"
-#include "framework/core/kit/obj_scene.h"
-#include "framework/core/kit/own_mesh.h"
 #include "framework/course/pages/method_comparison.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
+#include "framework/library/kit/made_map.h"
+#include "framework/library/kit/obj_scene.h"
+#include "framework/library/kit/own_mesh.h"
+#include "framework/library/maps/own_picture.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::window {
 

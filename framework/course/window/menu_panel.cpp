@@ -2,12 +2,12 @@
 
 #include <imgui.h>
 
-#include "framework/core/kit/made_map.h"
 #include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_list.h"
 #include "framework/course/window/menu_knobs.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
+#include "framework/library/kit/made_map.h"
 
 namespace relief::window {
 namespace {

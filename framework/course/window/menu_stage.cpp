@@ -11,8 +11,8 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/draw_watch.h"
 #include "framework/core/gl/texture.h"
-#include "framework/core/image/visualize.h"
 #include "framework/course/check/check.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::window {
 namespace {

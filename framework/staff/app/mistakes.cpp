@@ -10,12 +10,12 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/base/share.h"
 #include "framework/core/image/file.h"
 #include "framework/course/app/shot.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
+#include "framework/staff/app/share.h"
 #include "framework/staff/grade/mistake_pictures.h"
 
 namespace relief::app {

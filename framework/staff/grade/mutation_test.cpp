@@ -15,7 +15,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "framework/staff/grade/variation.h"
 
 namespace relief::grade {

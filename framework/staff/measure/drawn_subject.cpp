@@ -7,7 +7,7 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/object.h"
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 
 namespace relief::measure {
 namespace {

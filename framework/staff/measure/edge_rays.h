@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "framework/core/mesh/ray.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/core/base/ray.h"
+#include "framework/library/mesh/shapes.h"
 #include "framework/staff/measure/bench.h"
 
 namespace relief::measure {

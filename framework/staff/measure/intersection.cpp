@@ -4,7 +4,7 @@
 #include <memory>
 #include <random>
 
-#include "framework/core/height/test_maps.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/edge_rays.h"
 #include "framework/staff/measure/peers.h"

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "framework/core/base/mesh.h"
+#include "framework/core/base/ray.h"
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/mesh.h"
-#include "framework/core/mesh/ray.h"
 
 namespace relief::measure {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/tangents.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "framework/core/base/parallel.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/tangents.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/usual.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief::measure {
 

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "framework/core/base/mesh.h"
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/mesh.h"
 #include "framework/staff/reference/normal_codec.h"
 
 namespace relief::measure {

@@ -5,9 +5,9 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
-#include "framework/core/image/resample.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/page.h"
+#include "framework/library/maps/resample.h"
 
 namespace relief::pages {
 namespace {

@@ -13,9 +13,9 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/visualize.h"
 #include "framework/course/check/lone_function.h"
 #include "framework/course/check/task_text.h"
+#include "framework/library/maps/visualize.h"
 #include "framework/staff/grade/variation.h"
 
 namespace relief::grade {

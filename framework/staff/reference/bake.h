@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "framework/core/base/mesh.h"
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/mesh.h"
-#include "framework/core/mesh/tree.h"
+#include "framework/library/mesh/tree.h"
 
 namespace relief {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "framework/core/base/ray.h"
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/ray.h"
 #include "framework/staff/reference/height_cell.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "framework/core/mesh/ray.h"
-#include "framework/core/mesh/tree.h"
+#include "framework/core/base/ray.h"
+#include "framework/library/mesh/tree.h"
 
 namespace relief {
 

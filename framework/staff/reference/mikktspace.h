@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief {
 

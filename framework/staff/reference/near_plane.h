@@ -1,7 +1,7 @@
 // Where a camera's near plane cuts its rays.
 #pragma once
 
-#include "framework/core/mesh/ray.h"
+#include "framework/core/base/ray.h"
 
 namespace relief {
 

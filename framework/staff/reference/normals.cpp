@@ -8,8 +8,8 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/height/line_slopes.h"
 #include "framework/core/image/color.h"
+#include "framework/library/maps/line_slopes.h"
 #include "framework/staff/reference/normals_row.h"
 
 namespace relief {

@@ -1,8 +1,8 @@
 // Normal maps from height maps.
 #pragma once
 
-#include "framework/core/height/line_slopes.h"
 #include "framework/core/image/image.h"
+#include "framework/library/maps/line_slopes.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "framework/core/image/image.h"
-#include "framework/core/mesh/patches.h"
+#include "framework/library/mesh/patches.h"
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/height_field.h"
 

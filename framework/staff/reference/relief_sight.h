@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "framework/core/mesh/relief.h"
-#include "framework/core/mesh/tree.h"
+#include "framework/library/mesh/relief.h"
+#include "framework/library/mesh/tree.h"
 #include "framework/staff/reference/parallax.h"
 
 namespace relief {

@@ -1,12 +1,12 @@
-// The exact surfaces behind the meshes of framework/core/mesh/shapes.h, in double precision: a point with its
+// The exact surfaces behind the meshes of framework/library/mesh/shapes.h, in double precision: a point with its
 // derivatives, and the first hit of a ray.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "framework/core/mesh/ray.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/core/base/ray.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 

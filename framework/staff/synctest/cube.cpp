@@ -6,7 +6,7 @@
 
 #include "framework/core/base/parallel.h"
 #include "framework/core/image/color.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/tangent_space.h"
 

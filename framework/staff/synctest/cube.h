@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/base/mesh.h"
 #include "framework/core/image/image.h"
 #include "framework/core/lab/camera.h"
-#include "framework/core/mesh/mesh.h"
 
 namespace relief::synctest {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/core/mesh/mesh.h"
+#include "framework/core/base/mesh.h"
 
 namespace relief::synctest {
 

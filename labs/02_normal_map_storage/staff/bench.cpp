@@ -3,7 +3,7 @@
 #include <random>
 
 #include "framework/core/image/asset.h"
-#include "framework/core/image/bc1.h"
+#include "framework/library/maps/bc1.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/degrees.h"

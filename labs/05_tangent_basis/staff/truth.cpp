@@ -2,7 +2,7 @@
 #include "truth.h"
 
 #include "framework/core/base/error.h"
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 
 namespace relief::basis {
 namespace {

@@ -2,7 +2,7 @@
 #include "truth.h"
 
 #include "framework/core/image/asset.h"
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/surfaces.h"

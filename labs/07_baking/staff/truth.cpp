@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/bake.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/tangent_space.h"

@@ -6,8 +6,8 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/mesh/obj.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/mesh/obj.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/masks.h"

@@ -8,7 +8,7 @@
 
 #include "framework/core/image/asset.h"
 #include "framework/core/image/color.h"
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief::materials {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "exact.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/tiles.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/tiles.h"
 
 namespace relief::planet {
 

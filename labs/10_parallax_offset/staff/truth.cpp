@@ -1,7 +1,7 @@
 // The staff's part of lab 10: see ../truth.h.
 #include "truth.h"
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/near_plane.h"
 #include "framework/staff/reference/relief_sight.h"
 

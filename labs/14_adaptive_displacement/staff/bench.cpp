@@ -10,8 +10,8 @@
 
 #include "framework/core/gl/gpu_mesh.h"
 #include "framework/core/gl/program.h"
-#include "framework/core/kit/displaced_surface.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/kit/displaced_surface.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/measure/stability.h"

@@ -7,9 +7,9 @@
 
 #include "framework/core/image/asset.h"
 #include "framework/core/image/color.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/evening_sky.h"
-#include "framework/core/mesh/parallelogram.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/evening_sky.h"
+#include "framework/library/mesh/parallelogram.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/near_plane.h"
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "framework/core/kit/relief_material.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/kit/relief_material.h"
 #include "framework/staff/measure/bench.h"
 #include "framework/staff/measure/drawn_subject.h"
 #include "framework/staff/reference/least_move.h"

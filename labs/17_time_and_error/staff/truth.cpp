@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/budget.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/near_plane.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact.h"
-#include "framework/core/kit/drawn_numbers.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/staff/reference/mesh_rays.h"
 
 namespace relief::moving_frames {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "exact.h"
-#include "framework/core/kit/drawn_numbers.h"
-#include "framework/core/kit/view_axes.h"
+#include "framework/library/kit/drawn_numbers.h"
+#include "framework/library/kit/view_axes.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "layers.h"
 #include "scene.h"

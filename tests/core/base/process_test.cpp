@@ -9,7 +9,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/base/share.h"
+#include "framework/staff/app/share.h"
 #include "tests/support.h"
 
 namespace relief {

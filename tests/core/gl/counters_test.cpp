@@ -4,7 +4,7 @@
 
 #include "framework/core/gl/gpu_mesh.h"
 #include "framework/core/gl/texture.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 namespace {

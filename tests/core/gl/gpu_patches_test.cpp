@@ -1,5 +1,5 @@
 // Patches, drawn together and one by one.
-#include "framework/core/gl/gpu_patches.h"
+#include "framework/library/kit/gpu_patches.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "framework/core/gl/program.h"
 #include "framework/core/gl/target.h"
 #include "framework/core/image/compare.h"
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 #include "tests/support.h"
 
 namespace relief {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "framework/core/image/file.h"
-#include "framework/core/image/own_picture.h"
 #include "framework/core/lab/lab.h"
+#include "framework/library/maps/own_picture.h"
 #include "tests/support.h"
 
 namespace relief {

@@ -7,8 +7,8 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/target.h"
-#include "framework/core/kit/labels.h"
 #include "framework/core/lab/words.h"
+#include "framework/library/kit/labels.h"
 #include "tests/support.h"
 
 namespace relief {

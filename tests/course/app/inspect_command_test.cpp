@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "framework/core/height/test_maps.h"
 #include "framework/core/image/file.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/normals.h"
 #include "tests/course/app/course_copy.h"
 

@@ -8,10 +8,10 @@
 #include "framework/core/image/color.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/core/mesh/shapes.h"
-#include "framework/core/mesh/tangents.h"
-#include "tests/core/mesh/gltf_file.h"
+#include "framework/library/mesh/shapes.h"
+#include "framework/library/mesh/tangents.h"
 #include "tests/course/app/course_copy.h"
+#include "tests/library/mesh/gltf_file.h"
 
 namespace relief::app {
 namespace {

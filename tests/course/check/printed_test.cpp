@@ -11,7 +11,7 @@ std::string address_report(const std::string& kind, const std::string& more = ""
     return "=================================================================\n"
            "==367==ERROR: AddressSanitizer: " +
            kind + " on address 0x602000000024 at pc 0x55d9a1265d9e\n" + more +
-           "    #0 0x55d9a1265d9d in f /home/a/framework/core/mesh/mesh.h:9\n"
+           "    #0 0x55d9a1265d9d in f /home/a/framework/core/base/mesh.h:9\n"
            "    #1 0x55d9a1265d9d in relief::corner(int) /home/a/labs/05_tangent_basis/task.cpp:41\n"
            "    #2 0x7f746d845249 in g /home/a/labs/05_tangent_basis/task.cpp:90\n"
            "SUMMARY: AddressSanitizer: " +

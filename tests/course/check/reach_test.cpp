@@ -130,7 +130,7 @@ TEST(Reach, RejectsACppTaskThatReachesForTheTextOfAFile) {
         EXPECT_EQ(said(" # include <" + path + ">"), refused);
     }
     for (const std::string honest :
-         {"// asm(\"\") ## __FILE__", "int asm_, section = 1 % 2;", "#include \"framework/core/mesh/frame.h\" // ..",
+         {"// asm(\"\") ## __FILE__", "int asm_, section = 1 % 2;", "#include \"framework/library/mesh/frame.h\" // ..",
           "const char* text = \"asm ## R\";", "#define HALF(x) (0.5 * (x))", "int R = 7, x = R % R;"})
         EXPECT_EQ(said(honest), "") << honest;
     EXPECT_FALSE(fault_of_task("float asm_of() { return 1.0; }\n", "a/task.glsl"));

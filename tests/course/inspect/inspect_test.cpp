@@ -12,10 +12,10 @@
 #include <set>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/height/test_maps.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
 #include "framework/course/inspect/slopes.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/normals.h"
 #include "tests/support.h"
 

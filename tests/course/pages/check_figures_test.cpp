@@ -1,7 +1,7 @@
 // The comparison of a check's pictures, as a reader sees it.
 #include "framework/course/pages/check_figures.h"
 
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/support.h"
 
 namespace relief::pages {

@@ -7,7 +7,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
-#include "framework/core/image/visualize.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/support.h"
 
 namespace relief::pages {

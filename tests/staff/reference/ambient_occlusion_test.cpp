@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/core/height/test_maps.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/height_field.h"
 
 namespace relief {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "framework/core/mesh/parallelogram.h"
-#include "framework/core/mesh/shapes.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/parallelogram.h"
+#include "framework/library/mesh/shapes.h"
+#include "framework/library/mesh/tangents.h"
 #include "framework/staff/reference/degrees.h"
 #include "tests/support.h"
 

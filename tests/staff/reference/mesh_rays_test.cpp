@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/core/mesh/shapes.h"
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "framework/core/mesh/shapes.h"
-#include "framework/core/mesh/tangents.h"
+#include "framework/library/mesh/shapes.h"
+#include "framework/library/mesh/tangents.h"
 #include "framework/staff/reference/degrees.h"
-#include "tests/core/mesh/test_meshes.h"
+#include "tests/library/mesh/test_meshes.h"
 
 namespace relief {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "framework/core/height/test_maps.h"
+#include "framework/library/maps/test_maps.h"
 
 namespace relief {
 namespace {

@@ -8,7 +8,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
-#include "framework/core/mesh/obj.h"
+#include "framework/library/mesh/obj.h"
 #include "framework/staff/reference/mikktspace.h"
 #include "framework/staff/synctest/files.h"
 #include "framework/staff/synctest/flatness.h"
