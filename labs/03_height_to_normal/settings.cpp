@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "framework/core/image/asset.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/mips.h"
 #include "framework/library/maps/heights.h"
 #include "framework/library/maps/resample.h"
@@ -56,6 +57,7 @@ Image own_picture(const Image& picture, std::vector<std::string>& notes) {
         value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0, ++beyond;
     }
     if (beyond > 0) notes.push_back(fmt::format("{} values are beyond 0 and 1, or NaN: they are clamped", beyond));
+    if (std::string note = profile_note(picture, false); !note.empty()) notes.push_back(std::move(note));
     return fitting(colors);
 }
 

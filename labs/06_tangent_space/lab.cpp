@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/core/base/error.h"
+#include "framework/core/image/normals.h"
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/choices.h"
 #include "framework/library/kit/kept.h"
@@ -32,7 +33,7 @@ public:
             draw_surface(frame_in(frame, tiles[i]), tiles[i], way);
             if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
         }
-        if (shape() == frames::Shape::own) labels_.notes(frame.size, own_mesh_.notes());
+        labels_.notes(frame.size, notes_of_files(*this));
         labels_.draw(frame);
     }
 
@@ -192,15 +193,6 @@ private:
         return own_model();
     }
 
-    /// Returns the user's picture as a normal map, whose green points up.
-    static Image own_normals(Image picture, std::vector<std::string>& notes) {
-        if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
-        size_t not_finite = 0;
-        for (float& value : picture.values)
-            if (!std::isfinite(value)) value = 0.5f, ++not_finite;
-        if (not_finite > 0) notes.push_back(fmt::format("{} values are NaN or infinity: read as 0.5", not_finite));
-        return picture;
-    }
     const Texture& own_texture() const {
         return own_texture_.get({own_.version()},
                                 [this] { return Texture("own map", [this] { return own_.image(); }); });
@@ -219,7 +211,7 @@ private:
     Programs surface_{"06_tangent_space/surface.vert", "06_tangent_space/surface.frag"};
     Texture bricks_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Texture texel_{"a flat texel", flat_texel};
-    OwnPicture own_{own_normals};
+    OwnPicture own_{normals_in};
     mutable Kept<Texture, int> own_texture_;  ///< by the picture
     OwnMesh own_mesh_{1.25};
     mutable Kept<GpuMesh, int> own_model_;  ///< by the model

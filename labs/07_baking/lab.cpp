@@ -44,7 +44,7 @@ public:
             }
             if (!view.title.empty()) labels_.caption(frame.size, view.tile, 0, view.title);
         }
-        if (settings_.is_own()) labels_.notes(frame.size, settings_.own.coarse.notes());
+        labels_.notes(frame.size, notes_of_files(*this));
         labels_.draw(frame);
     }
 

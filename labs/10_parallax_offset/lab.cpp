@@ -33,7 +33,7 @@ public:
         for (const Sight& sight : sights) draw_tile(sight);
         if (words) describe(frame.size, sights, found);
         if (view_ == eye && !frame.probe) describe_eyes(frame.size, sights);
-        labels_.notes(frame.size, surface_.notes());
+        labels_.notes(frame.size, notes_of_files(*this));
         labels_.draw(frame);
     }
 

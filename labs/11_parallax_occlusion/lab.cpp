@@ -42,7 +42,7 @@ public:
         }
         glDisable(GL_SCISSOR_TEST);
         if (shows_error) labels_.log_scale(frame.size, "0.01", "100 texels", 4);
-        labels_.notes(frame.size, surface_.notes());
+        labels_.notes(frame.size, notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -32,6 +32,7 @@ public:
             draw_far_seas(frame);
         else
             draw_maps(frame);
+        labels_.notes(frame.size, notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "framework/core/base/error.h"
+#include "framework/core/image/normals.h"
 #include "framework/library/kit/uniforms.h"
 #include "framework/library/maps/heights.h"
 #include "framework/library/maps/resample.h"
@@ -31,18 +32,20 @@ Image own_heights(const Image& picture, std::vector<std::string>& notes) {
     return heights;
 }
 
-/// Returns the normals of a user's picture, of map_texels a side: a normal map with green up. Throws Error, without a
-/// place, for a grey picture, or one whose colours do not point upwards.
-Image own_normals(Image picture, std::vector<std::string>&) {
-    if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
+/// Returns the normals of a user's picture, of map_texels a side. Throws Error, without a place, as normals_in() does,
+/// and for a picture whose colours do not point upwards.
+Image own_normals(const Image& picture, std::vector<std::string>& notes) {
+    Image whole = normals_in(picture, notes);
     double up = 0;
-    for (size_t i = 0; i < picture.pixel_count(); ++i) {
-        float& z = picture.values[i * size_t(picture.channels) + 2];
-        z = std::isfinite(z) ? std::max(z, 0.55f) : 1;  // a slope of 10 and more has no end
-        up += double(z);
+    size_t steep = 0;
+    for (size_t i = 2; i < whole.values.size(); i += 3) {
+        constexpr float lowest = 0.55f;  // a slope of 10 and more has no end
+        steep += whole.values[i] < lowest;
+        up += double(whole.values[i] = std::max(whole.values[i], lowest));
     }
-    if (up < 0.7 * double(picture.pixel_count())) throw Error("does not point upwards: a normal map is mostly blue");
-    Image normals = resampled(channels_of(picture, 0, 3), map_texels, map_texels);
+    if (up < 0.7 * double(whole.pixel_count())) throw Error("does not point upwards: a normal map is mostly blue");
+    if (steep > 0) notes.push_back(fmt::format("{} texels are steeper than 84 degrees: clamped", steep));
+    Image normals = resampled(whole, map_texels, map_texels);
     normals.bits = 8;
     return normals;
 }

@@ -20,6 +20,7 @@
 #include "framework/core/gl/gl.h"
 #include "framework/core/gl/program.h"
 #include "framework/core/image/compare.h"
+#include "framework/core/image/file.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/library/maps/visualize.h"
@@ -367,6 +368,60 @@ TEST_P(EveryLab, MeasuresTheSameNumbersForAPictureOfAnySizeOrSaysThatItDoesNot) 
     const std::map<int, std::string> views = {{2, "blocks"}, {5, "frames"}, {12, "compare"}, {19, "blends"}};
     const std::string view = views.contains(GetParam().number) ? views.at(GetParam().number) : "";
     EXPECT_EQ(numbers_of({120, 180}, view), numbers_of({256, 144}, view));
+}
+
+/// The knobs of a lab that accept a file.
+class FileKnobs final : public Knobs {
+public:
+    explicit FileKnobs(Lab& lab) { lab.knobs(*this); }
+    std::vector<std::string> names;
+
+private:
+    void slider(const char*, float&, float, float, const KnobHelp&) override {}
+    void steps(const char*, int&, int, int, const KnobHelp&) override {}
+    void toggle(const char*, bool&, const KnobHelp&) override {}
+    void choice(const char*, int&, std::span<const char* const>, const KnobHelp&) override {}
+    void choice_or_file(const char* name, int&, OwnFile&, std::span<const char* const>, const KnobHelp&) override {
+        names.emplace_back(name);
+    }
+};
+
+TEST_P(EveryLab, ShowsTheNotesAboutAFileInItsPicture) {
+    const TemporaryFolder folder;
+    Image heights(16, 16, 1), normals(16, 16, 3);
+    for (size_t i = 0; i < 256; ++i) {
+        heights.values[i] = float(i % 16) / 15;
+        normals.values[3 * i] = normals.values[3 * i + 1] = 0.5f, normals.values[3 * i + 2] = 1;
+    }
+    heights.values[40] = normals.values[40] = NAN;
+    write_image(folder.path() / "h.exr", heights), write_image(folder.path() / "n.exr", normals);
+    folder.write("m.obj",
+                 "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nvt 0 0\nvt 1 0\nvt 0 1\nl 1 2\n"
+                 "f 1/1 2/2 3/3\nf 2/1 1/2 4/3\nf 3/1 2/2 4/3\nf 1/1 3/2 4/3\n");
+    const std::unique_ptr<Lab> plain = make_lab(GetParam(), shot());
+    for (const std::string& knob : FileKnobs(*plain).names) {
+        std::string named;
+        for (const char* const file : {"m.obj", "h.exr", "n.exr"}) {
+            Shot with = shot();
+            with.set = {{knob, (folder.path() / file).string()}};
+            testing::internal::CaptureStderr();
+            const std::unique_ptr<Lab> lab = [&]() -> std::unique_ptr<Lab> {
+                try {
+                    return make_lab(GetParam(), with);
+                } catch (const Error&) {
+                    return nullptr;  // the knob is for another kind of file
+                }
+            }();
+            const std::string printed = testing::internal::GetCapturedStderr();
+            if (!lab) continue;
+            const WithoutWords no_words;
+            draw_shot(*lab, with);
+            for (const PictureWord& word : no_words.words())
+                if (word.text.starts_with(std::string(file) + ":")) named = file;
+            EXPECT_TRUE(contains(printed, "relief: " + std::string(file) + ":")) << knob << ": " << printed;
+        }
+        EXPECT_NE(named, "") << knob << ": no note in the picture";
+    }
 }
 
 /// Expects that a larger value is never darker. Pixels without a surface, or without a value, are left out.

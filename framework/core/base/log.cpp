@@ -34,6 +34,10 @@ void print_error(std::string_view message) {
 
 void print_note(std::string_view message) { say(fmt::format("relief: {}\n", message)); }
 
+std::string note_about(const Place& place, const std::string& message) {
+    return Error({place.file.filename(), place.line}, message).what();
+}
+
 void set_verbose(bool on) {
     tells_events = on;
     // The system knows the start of the process only to a hundredth of a second. But until now the process had one

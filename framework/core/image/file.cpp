@@ -10,6 +10,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/module.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/dds.h"
 #include "framework/core/image/exr.h"
 #include "framework/core/image/netpbm.h"
@@ -34,6 +35,17 @@ const char* format_by_content(const std::string& bytes) {
     if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return "png";
     if (start.starts_with("\x76\x2f\x31\x01"sv)) return "openexr";
     if (start.starts_with("\xff\xd8\xff"sv)) return "jpeg";
+    constexpr std::pair<std::string_view, const char*> others[] = {
+        {"II*\0"sv, "TIFF"}, {"MM\0*"sv, "TIFF"}, {"II+\0"sv, "TIFF"},      {"MM\0+"sv, "TIFF"},
+        {"GIF8"sv, "GIF"},   {"8BPS"sv, "PSD"},   {"\xabKTX"sv, "KTX"},     {"#?"sv, "Radiance HDR"},
+        {"qoif"sv, "QOI"},   {"BM"sv, "BMP"},     {"\xff\x0a"sv, "JPEG XL"}};
+    const auto refuse = [](const char* name) {
+        throw Error(fmt::format("{} is not read: save the picture as PNG, or floats as OpenEXR", name));
+    };
+    for (const auto& [first, name] : others)
+        if (start.starts_with(first)) refuse(name);
+    if (start.starts_with("RIFF"sv) && start.find("WEBP"sv) == 8) refuse("WebP");
+    if (start.find("ftyp"sv) == 4) refuse("HEIF or AVIF");
     throw Error("neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
 }
 
@@ -193,8 +205,11 @@ Image decode_image(const std::string& bytes, Notes* notes) {
                                        : "this program reads no OpenEXR of this kind: save the picture as PNG");
     if (!image) image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);
-    if (windows.display != windows.data) return cropped(*image, windows);
-    return oriented(*std::move(image), exif_orientation(bytes));
+    std::string profile = format == "jpeg"sv ? jpeg_profile_name(bytes) : std::move(image->profile);
+    Image shown = windows.display != windows.data ? cropped(*image, windows)
+                                                  : oriented(*std::move(image), exif_orientation(bytes));
+    shown.profile = std::move(profile);
+    return shown;
 }
 
 Image read_image(const std::filesystem::path& path, Notes* notes) {

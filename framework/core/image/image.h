@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace relief {
@@ -20,6 +21,9 @@ struct Image {
     /// Precision of the stored values: 8 or 16 (integers in [0, 1]) or 32 (floats).
     int bits = 32;
     std::vector<float> values;
+    /// Name of the colour profile in the picture's file, which was not applied: see color_profile.h. Empty for none and
+    /// for sRGB.
+    std::string profile = {};
 
     Image() = default;
     Image(int columns, int rows, int channel_count, int precision = 32)

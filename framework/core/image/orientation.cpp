@@ -41,7 +41,9 @@ std::string_view exif_of_png(std::string_view bytes) {
     return {};
 }
 
-std::string_view exif_of_jpeg(std::string_view bytes) {
+}  // namespace
+
+std::string_view jpeg_segment(std::string_view bytes, int marker, std::string_view name) {
     for (size_t at = 2; at + 4 < bytes.size() && bytes[at] == '\xff';) {  // 255, kind, length, bytes
         const auto kind = static_cast<unsigned char>(bytes[at + 1]);
         if (kind == 0xff) {  // fill bytes may precede a segment
@@ -51,17 +53,15 @@ std::string_view exif_of_jpeg(std::string_view bytes) {
         if (kind == 0xda) break;  // the pixels
         const size_t length = number_in(bytes, at + 2, 2, true);
         const std::string_view segment = bytes.substr(at + 4, std::max<size_t>(length, 2) - 2);
-        if (kind == 0xe1 && segment.starts_with("Exif\0\0"sv)) return segment.substr(6);
+        if (kind == marker && segment.starts_with(name)) return segment.substr(name.size());
         at += 2 + std::max<size_t>(length, 2);
     }
     return {};
 }
 
-}  // namespace
-
 int exif_orientation(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG"sv)) return orientation_in(exif_of_png(bytes));
-    if (bytes.starts_with("\xff\xd8"sv)) return orientation_in(exif_of_jpeg(bytes));
+    if (bytes.starts_with("\xff\xd8"sv)) return orientation_in(jpeg_segment(bytes, 0xe1, "Exif\0\0"sv));
     return 1;
 }
 

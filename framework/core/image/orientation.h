@@ -7,6 +7,10 @@
 
 namespace relief {
 
+/// Returns what follows `name` in the first segment of a JPEG file that has this marker and begins with `name`, or
+/// nothing. Source: ITU-T T.81, annex B.
+std::string_view jpeg_segment(std::string_view bytes, int marker, std::string_view name);
+
 /// Returns the orientation in the bytes of a JPEG or PNG file: 1 (as stored) to 8; 1 if there is none or no such
 /// number. Source: Exif 2.32 (CIPA DC-008), tag 274; PNG 3rd edition, chunk eXIf.
 int exif_orientation(std::string_view bytes);

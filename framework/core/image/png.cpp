@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <tuple>
 
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/stored.h"
 
 namespace relief {
@@ -92,6 +94,21 @@ void load(const Reader& reader, const png_byte* bytes, float* values, size_t cou
         load<uint16_t>(bytes, values, count, 65535);
     else
         load<uint8_t>(bytes, values, count, 255);
+}
+
+/// Returns the name of the colour profile, by the chunk that counts: sRGB, iCCP, gAMA. Empty for none and for sRGB.
+std::string profile_name(png_structp png, png_infop info) {
+    int intent = 0, compression = 0;
+    if (png_get_sRGB(png, info, &intent)) return {};
+    png_charp name = nullptr;
+    png_bytep profile = nullptr;
+    png_uint_32 length = 0;
+    if (png_get_iCCP(png, info, &name, &compression, &profile, &length))
+        return icc_profile_name({reinterpret_cast<const char*>(profile), length});
+    png_fixed_point gamma = 0;
+    constexpr png_fixed_point one = 100'000, of_srgb = 45'455;
+    if (!png_get_gAMA_fixed(png, info, &gamma) || gamma <= 0 || std::abs(gamma - of_srgb) < 100) return {};
+    return gamma == one ? "gamma 1" : fmt::format("gamma {:.2f}", double(one) / gamma);
 }
 
 /// Reads all rows and the chunks after them: an interlaced picture as a whole, else row by row, which takes less
@@ -185,6 +202,7 @@ Image decode_png(const std::string& bytes, Notes& notes) {
     reader.bytes.resize(is_interlaced ? row * size_t(height) : row);
     if (is_interlaced) reader.rows = rows_of(reader.bytes, height);
     if (!read_rows(reader, image)) throw damaged();
+    image.profile = profile_name(reader.png, reader.info);
     png_textp texts = nullptr;
     const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
     for (int i = 0; i < count; ++i)

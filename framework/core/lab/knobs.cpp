@@ -99,15 +99,29 @@ private:
     const std::string& text_;
 };
 
-class GiveFile final : public Knobs {
-public:
-    explicit GiveFile(const std::filesystem::path& file) : file_(file) {}
-    std::string knob;
-
+/// Visits the knobs that accept a file.
+class FileKnobs : public Knobs {
     void slider(const char*, float&, float, float, const KnobHelp&) override {}
     void steps(const char*, int&, int, int, const KnobHelp&) override {}
     void toggle(const char*, bool&, const KnobHelp&) override {}
     void choice(const char*, int&, std::span<const char* const>, const KnobHelp&) override {}
+};
+
+class FindNotes final : public FileKnobs {
+public:
+    std::vector<std::pair<std::string, const OwnFile*>> found;  ///< with the names of the knobs
+
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const KnobHelp&) override {
+        if (value == int(names.size()) && !own.notes().empty()) found.emplace_back(name, &own);
+    }
+};
+
+class GiveFile final : public FileKnobs {
+public:
+    explicit GiveFile(const std::filesystem::path& file) : file_(file) {}
+    std::string knob;
+
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
                         const KnobHelp&) override {
         if (!knob.empty() || !own.accepts(file_)) return;
@@ -160,6 +174,19 @@ void set_knob(Lab& lab, const std::string& name, const std::string& value) {
     std::vector<std::string> names;
     for (const KnobText& knob : describe_knobs(lab)) names.push_back(knob.name);
     throw UsageError(unknown("knob", name, names));
+}
+
+std::vector<std::string> notes_of_files(Lab& lab) {
+    FindNotes find;
+    lab.knobs(find);
+    if (find.found.empty()) return {};
+    const std::vector<KnobText> knobs = describe_knobs(lab);
+    std::vector<std::string> notes;
+    for (const auto& [name, own] : find.found)
+        if (!is_ignored(name, knobs))
+            for (const std::string& note : own->notes())
+                if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    return notes;
 }
 
 std::string set_file(Lab& lab, const std::filesystem::path& file) {

@@ -48,6 +48,9 @@ std::vector<std::string> knob_values(Lab& lab);
 /// Sets a knob from text. Throws UsageError that suggests the nearest knob, or names the range or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
 
+/// Returns the notes of the user's files that a lab's knobs have now, each once. A knob without effect does not count.
+std::vector<std::string> notes_of_files(Lab& lab);
+
 /// Gives a file to the first knob that accepts it: an OBJ file, or a picture. Returns that knob's name, or an empty
 /// string if the lab has none. Throws as OwnFile::read() does.
 std::string set_file(Lab& lab, const std::filesystem::path& file);

@@ -53,8 +53,6 @@ public:
     /// the program is in use.
     void set(const Program& program, const Frame& frame) const;
     void draw() const;
-    /// Returns the notes about the user's model, if it is the shape.
-    std::vector<std::string> notes() const { return shape == own ? own_.notes() : std::vector<std::string>(); }
     /// Draws likewise, and returns the number of triangles from the tessellator. Waits until they are drawn.
     int draw_and_count() const;
 

@@ -1,5 +1,9 @@
 #include "framework/library/kit/labels.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "framework/core/lab/shot.h"
@@ -15,6 +19,22 @@ std::string with_degree_signs(const std::string& text) {
     std::string result;
     for (const char c : text) result += c == degree ? std::string("°") : std::string(1, c);
     return result;
+}
+
+/// Breaks a text at blanks into lines of at most `longest` letters. All lines but the first are indented.
+std::vector<std::string> broken_into_lines(const std::string& text, size_t longest) {
+    constexpr std::string_view indent = "  ";
+    std::vector<std::string> lines;
+    std::string rest = text;
+    while (rest.size() > longest) {
+        size_t end = rest.rfind(' ', longest);
+        const bool is_word = end == std::string::npos || end <= indent.size();  // which no line has room for
+        if (is_word) end = longest;
+        lines.push_back(rest.substr(0, end));
+        rest = std::string(indent) + rest.substr(end + (is_word ? 0 : 1));
+    }
+    lines.push_back(rest);
+    return lines;
 }
 
 }  // namespace
@@ -47,12 +67,29 @@ bool Labels::leaves_out(PictureWord word) {
 }
 
 void Labels::notes(glm::ivec2 size, const std::vector<std::string>& notes) {
-    const float line = line_height(size) * 0.62f;
-    float top = float(size.y) - 1.3f * line * float(notes.size() + 1);
-    for (const std::string& whole : notes) {
-        const std::string note = whole.substr(whole.rfind('/', whole.find(':')) + 1);
-        text(note, {line, top}, std::min(line, 1.8f * float(size.x) / float(note.size() + 4)));
-        top += 1.3f * line;
+    if (notes.empty()) return;
+    const float height = std::max(11.0f, line_height(size) * 0.62f), line = 1.3f * height;
+    const auto longest = size_t(std::max(20.0f, (float(size.x) - 2 * height) / (height * letter_aspect)));
+    const auto most = size_t(std::max(2.0f, 0.5f * float(size.y) / line));
+    std::vector<std::string> lines;
+    for (size_t i = 0; i < notes.size(); ++i) {
+        const std::vector<std::string> more = broken_into_lines(notes[i], longest);
+        const bool is_last = i + 1 == notes.size();
+        if (lines.size() + more.size() + (is_last ? 0 : 1) > most && !lines.empty()) {
+            lines.push_back(fmt::format("and {} more", notes.size() - i));
+            break;
+        }
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
+    float top = float(size.y) - line * float(lines.size() + 1);
+    const auto is_shorter = [](const std::string& one, const std::string& other) { return one.size() < other.size(); };
+    const float widest = width(*std::max_element(lines.begin(), lines.end(), is_shorter), height);
+    if (has_words())  // words of a page have grounds of their own
+        quad({0.5f * height, top - 0.15f * line}, {widest + height, line * float(lines.size()) + 0.2f * line}, {0, -1},
+             {0, -1}, {0.05f, 0.055f, 0.065f, 0.75f});
+    for (const std::string& text : lines) {
+        this->text(text, {height, top}, height);
+        top += line;
     }
 }
 

@@ -34,7 +34,8 @@ public:
     /// enough room.
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
                  glm::vec3 color = {0.93f, 0.92f, 0.89f});
-    /// Adds notes along the lower edge, a line each, without the folder of the file that they name.
+    /// Adds notes about files along the lower edge, wrapped, in letters that are legible. If they do not fit into half
+    /// of the picture, the last line counts the others.
     void notes(glm::ivec2 size, const std::vector<std::string>& notes);
     void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
     /// Marks a pixel: a bright cross on a dark one, with a gap in the middle.

@@ -11,6 +11,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/asset.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/file.h"
 #include "framework/library/kit/own_mesh.h"
 #include "framework/library/mesh/uv_tangents.h"
@@ -102,7 +103,7 @@ private:
     }
 
     void note(const Material& material, const std::string& message) {
-        if (notes_.size() < 20) notes_.push_back(Error({material.file.filename(), material.line}, message).what());
+        if (notes_.size() < 20) notes_.push_back(note_about({material.file, material.line}, message));
     }
 
     const MapSwitches& switches_;
@@ -155,7 +156,11 @@ std::vector<std::string> OwnObj::load(const fs::path& file) {
                                     &material.normal_map, &material.bump_map}) {
             std::error_code ignored;
             if (!fs::is_regular_file(*map, ignored)) continue;
-            read_image(*map);
+            const bool is_colors = map == &material.diffuse_map || map == &material.specular_map;
+            const std::string about_profile = profile_note(read_image(*map), !is_colors);
+            const std::string line = note_about({*map}, about_profile);
+            if (!about_profile.empty() && std::find(model.notes.begin(), model.notes.end(), line) == model.notes.end())
+                model.notes.push_back(line);
             *map = fs::absolute(*map);
         }
     try {

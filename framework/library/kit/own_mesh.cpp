@@ -114,22 +114,13 @@ double metres_per_uv(const Mesh& mesh) {
 }
 
 Mesh OwnMesh::mesh_with_tangents() const {
-    return has_all_tangents_ ? mesh_ : with_tangents(mesh_, TangentMethod::mikktspace);
+    return tangents_follow_uv_ ? mesh_ : with_tangents(mesh_, TangentMethod::mikktspace);
 }
 
 std::vector<std::string> OwnMesh::load(const std::filesystem::path& file) {
-    GltfModel model;
-    std::vector<std::string> notes;
-    const bool is_gltf = is_named_as_gltf(file);
-    if (is_gltf) {
-        model = read_gltf(file);
-        for (const std::string& note : model.notes) notes.push_back(Error({file.filename()}, note).what());
-    } else {
-        ObjModel obj = read_obj(file);
-        model.mesh = std::move(obj.mesh), model.has_uvs = obj.has_uvs, model.centre = obj.origin;
-        notes = std::move(obj.notes);
-    }
-    if (!model.has_uvs) notes.push_back(Error({file}, "has no uv: they are made by projection along the axes").what());
+    Model model = read_model(file);
+    if (!model.has_uvs)
+        model.notes.push_back(note_about({file}, "has no uv: they are made by projection along the axes"));
     try {
         std::vector<OwnNormalMap> normal_maps;
         for (const GltfNormalMap& map : model.normal_maps)
@@ -139,10 +130,10 @@ std::vector<std::string> OwnMesh::load(const std::filesystem::path& file) {
         mesh_ = prepared_model(std::move(model.mesh), model.has_uvs, radius_);
         placement_ = placement;
         has_tangents_ = model.has_tangents;
-        has_all_tangents_ = is_gltf && model.has_uvs;  // tangents follow uv
+        tangents_follow_uv_ = model.tangents_follow_uv;
         normal_maps_ = std::move(normal_maps), parts_ = std::move(model.parts);
         if (parts_.empty()) parts_ = {{0, uint32_t(mesh_.indices.size())}};
-        return notes;
+        return std::move(model.notes);
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/base/mesh.h"
 #include "framework/core/base/own_file.h"
 #include "framework/core/image/image.h"
-#include "framework/library/mesh/gltf.h"
-#include "framework/library/mesh/obj.h"
+#include "framework/library/mesh/model.h"
 
 namespace relief {
 
@@ -67,7 +65,7 @@ private:
     const double radius_;
     Mesh mesh_;
     Placement placement_;
-    bool has_tangents_ = false, has_all_tangents_ = false;
+    bool has_tangents_ = false, tangents_follow_uv_ = false;
     std::vector<OwnNormalMap> normal_maps_;
     std::vector<GltfPart> parts_;
 };

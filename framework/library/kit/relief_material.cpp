@@ -9,6 +9,7 @@
 #include "framework/core/base/parallel.h"
 #include "framework/core/image/asset.h"
 #include "framework/core/image/color.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/mips.h"
 #include "framework/library/maps/heights.h"
 #include "framework/library/maps/resample.h"
@@ -81,6 +82,7 @@ Image own_albedo(Image picture, std::vector<std::string>& notes) {
             not_finite += !std::isfinite(shown);
         }
     if (not_finite > 0) notes.push_back(fmt::format("{} values are NaN or infinity: read as 0", not_finite));
+    if (std::string note = profile_note(picture, false); !note.empty()) notes.push_back(std::move(note));
     return colors;
 }
 

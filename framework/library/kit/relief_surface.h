@@ -31,8 +31,6 @@ public:
     /// 1, s_normals to 2. Preconditions: the program is in use, and the viewport is the frame's.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
-    /// Returns the notes about the user's model, if it is the shape.
-    std::vector<std::string> notes() const { return shape == own ? own_.notes() : std::vector<std::string>(); }
     /// The windows of the heights, and their texture: a layer for each octant.
     struct Windows {
         HeightWindows heights;

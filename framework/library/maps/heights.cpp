@@ -11,6 +11,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/library/maps/own_picture.h"
 
 namespace relief {
@@ -214,6 +215,7 @@ void scale(Heights& result) {
 
 Heights heights_in(Image picture) {
     Heights result;
+    if (std::string note = profile_note(picture, true); !note.empty()) result.notes.push_back(std::move(note));
     choose_channel(picture, result);
     result.image = picture.channels == 1 ? std::move(picture) : channels_of(picture, result.channel, 1);
     find_voids(result);

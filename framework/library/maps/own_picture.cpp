@@ -12,7 +12,7 @@ std::vector<std::string> OwnPicture::load(const std::filesystem::path& file) {
     try {
         std::vector<std::string> notes;
         image_ = prepare_(std::move(picture), notes);
-        for (std::string& note : notes) note = Error({file}, note).what();
+        for (std::string& note : notes) note = note_about({file}, note);
         return notes;
     } catch (const Error& error) {
         throw Error({file}, error.what());

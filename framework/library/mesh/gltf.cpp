@@ -8,6 +8,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
 #include "framework/core/base/own_file.h"
 #include "framework/library/mesh/frame.h"
 #include "framework/library/mesh/gltf_primitive.h"
@@ -243,7 +244,9 @@ GltfModel parse_gltf(const std::string& bytes, const std::filesystem::path& fold
 GltfModel read_gltf(const std::filesystem::path& file, const ObjLimits& limits) {
     const std::string bytes = read_file(file, limits.bytes);
     try {
-        return parse_gltf(bytes, file.parent_path(), limits);
+        GltfModel model = parse_gltf(bytes, file.parent_path(), limits);
+        for (std::string& note : model.notes) note = note_about({file}, note);
+        return model;
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }

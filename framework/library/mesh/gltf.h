@@ -48,8 +48,8 @@ struct GltfModel {
     std::vector<std::string> notes = {};  ///< what was not read or was replaced, one line each; at most 20
 };
 
-/// Reads a model, and the files that it names, from its folder. Throws Error that names the file when it, or a file
-/// that it needs, is missing, damaged or beyond `limits`, or has no triangles.
+/// Reads a model, and the files that it names, from its folder. The notes name the file. Throws Error that names the
+/// file when it, or a file that it needs, is missing, damaged or beyond `limits`, or has no triangles.
 GltfModel read_gltf(const std::filesystem::path& file, const ObjLimits& limits = {});
 
 /// Parses the bytes of a .gltf or a .glb. Files that it names are in `folder`. Throws Error without a place.

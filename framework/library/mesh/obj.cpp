@@ -45,7 +45,7 @@ std::vector<int> resolve(const std::vector<obj::Named>& names, const std::vector
         const auto found = indices.find(name);
         result.push_back(found == indices.end() ? -1 : found->second);
         if (found == indices.end())
-            notes.add(file, line, fmt::format("no material file describes '{}'", obj::excerpt(name)));
+            notes.add({file, line}, fmt::format("no material file describes '{}'", obj::excerpt(name)));
     }
     return result;
 }
@@ -77,7 +77,7 @@ void note_invisible_parts(ObjModel& model, const obj::Faces& faces, const std::v
         if (material >= 0 && model.materials[size_t(material)].opacity == 0) invisible.insert(material);
     }
     if (model.has_uvs && without_uv > 0)
-        notes.add(file, model.line_without_uv,
+        notes.add({file, model.line_without_uv},
                   without_uv == 1 ? "this face has corners without uv (vt): they get 0, 0; the other faces keep theirs"
                                   : fmt::format("{} faces, of which this is the first, have corners without uv (vt): "
                                                 "they get 0, 0; the others keep theirs",
@@ -85,7 +85,7 @@ void note_invisible_parts(ObjModel& model, const obj::Faces& faces, const std::v
     for (const int i : invisible) {
         const Material& material = model.materials[size_t(i)];
         const bool has_d = std::find(material.words.begin(), material.words.end(), "d") != material.words.end();
-        notes.add(material.file, material.line,
+        notes.add({material.file, material.line},
                   has_d ? fmt::format("'{}' has opacity 0 (d 0): its faces are not drawn", material.name)
                         : fmt::format("'{}' has opacity 0 (Tr 1): its faces are not drawn. Tr is transparency; "
                                       "a program that means opacity writes d",
@@ -179,7 +179,7 @@ ObjModel read_obj(const fs::path& file, const ObjLimits& limits) {
                     std::move(more.begin(), more.end(), std::back_inserter(materials));
                 } catch (const Error& error) {
                     std::error_code ignored;
-                    notes.add(file, line,
+                    notes.add({file, line},
                               fmt::format("no materials: {}",
                                           fs::exists(library, ignored) ? error.what() : missing_file(library)));
                 }

@@ -69,7 +69,8 @@ struct ObjModel {
     /// The file's positions are those of the mesh plus this. It is the middle of the bounding box if that is farther
     /// from 0 than the box's diagonal, and else 0.
     glm::dvec3 origin{0};
-    /// Parts of the files that were ignored or replaced, one line each, "file:line: message"; at most 20.
+    /// Parts of the files that were ignored or replaced, one line each, "name:line: message" (see note_about()); at
+    /// most 20.
     std::vector<std::string> notes;
 };
 

@@ -92,7 +92,7 @@ private:
     /// Adds a note for the first statement that it applies to.
     void note_once(std::string message) {
         if (unread_.size() < 20 && unread_.insert(message).second)
-            notes_.add(statements_.file(), statements_.line(), message);
+            notes_.add({statements_.file(), statements_.line()}, message);
     }
 
     /// Rounds the positions to float. Those far from the origin lose digits that the surface needs, so they are moved
@@ -142,7 +142,7 @@ private:
             const std::optional<int> group = parse_int(word);
             smoothing_ = word == "on" ? smooth_by_default : uint32_t(std::max(0, group.value_or(0)));
             if (!group && word != "on" && word != "off")
-                notes_.add(statements_.file(), statements_.line(),
+                notes_.add({statements_.file(), statements_.line()},
                            fmt::format("'s {}' is not a smoothing group; taken as off", excerpt(word)));
         } else if (keyword == "usemtl") {
             material_ = index_of(rest, material_indices_, faces_.materials);
@@ -188,7 +188,7 @@ private:
             for (uint32_t i = face.first; i < face.first + face.count; ++i) {
                 int32_t& normal = faces_.corners[i].normal;
                 if (normal < 0 || faces_.normals[size_t(normal)] != glm::vec3(0)) continue;
-                notes_.add(statements_.file(), face.line, "a normal of length 0; one is made from the faces");
+                notes_.add({statements_.file(), face.line}, "a normal of length 0; one is made from the faces");
                 normal = -1;
             }
     }

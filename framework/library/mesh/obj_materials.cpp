@@ -152,7 +152,7 @@ private:
             number = float(*read);
             return true;
         }
-        notes_.add(statement.file(), statement.line(),
+        notes_.add({statement.file(), statement.line()},
                    fmt::format("'{}' is left out: '{}' is not a finite number", statement.keyword(), excerpt(word)));
         return false;
     }
@@ -169,7 +169,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                                      const std::filesystem::path& folder, Notes& notes) {
     std::vector<Material> materials;
     std::optional<MaterialReader> reader;
-    Statements statements(text, file);
+    Statements statements(text, file.filename());  // what it throws becomes a note
     try {
         while (statements.next()) {
             if (statements.keyword() == "newmtl") {
@@ -182,7 +182,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
             }
         }
     } catch (const Error& error) {
-        notes.add(error);
+        notes.add(error.what());
     }
     return materials;
 }

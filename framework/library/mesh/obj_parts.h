@@ -16,8 +16,9 @@ namespace relief::obj {
 /// Keeps the first 20 notes, because a file of junk would give one per line.
 class Notes {
 public:
-    void add(const Error& error);
-    void add(const std::filesystem::path& file, int line, const std::string& message);
+    void add(const Place& place, const std::string& message);
+    /// Adds a line that names its place already.
+    void add(std::string line);
     const std::vector<std::string>& lines() const { return lines_; }
 
 private:

@@ -3,7 +3,9 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/library/mesh/obj_parts.h"
 
@@ -14,12 +16,10 @@ constexpr std::string_view blanks = " \t\v\f";
 
 }  // namespace
 
-void Notes::add(const Error& error) {
-    if (lines_.size() < 20) lines_.push_back(error.what());
-}
+void Notes::add(const Place& place, const std::string& message) { add(note_about(place, message)); }
 
-void Notes::add(const std::filesystem::path& file, int line, const std::string& message) {
-    add(Error({file, line}, message));
+void Notes::add(std::string line) {
+    if (lines_.size() < 20) lines_.push_back(std::move(line));
 }
 
 std::string_view trimmed(std::string_view text) {

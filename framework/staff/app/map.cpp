@@ -12,12 +12,13 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/color.h"
+#include "framework/core/image/color_profile.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/png.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/library/maps/heights.h"
-#include "framework/library/mesh/gltf.h"
+#include "framework/library/mesh/model.h"
 #include "framework/library/mesh/tangents.h"
 #include "framework/staff/reference/ambient_occlusion.h"
 #include "framework/staff/reference/bake.h"
@@ -40,12 +41,19 @@ Value value_of(const char* what, const std::string& word, const std::pair<const 
     throw UsageError(unknown(what, word, names));
 }
 
+/// Returns the picture in a file, and prints a note if its colour profile is not applied.
+Image read_picture(const std::string& file, bool is_map) {
+    Image picture = read_image(file);
+    if (const std::string note = profile_note(picture, is_map); !note.empty()) print_note(note_about({file}, note));
+    return picture;
+}
+
 /// Returns the heights in a file, and prints what was done to them on standard error.
 Image read_heights(const std::string& file) {
     Image picture = read_image(file);
     try {
         Heights found = heights_in(std::move(picture));
-        for (const std::string& note : found.notes) print_note(Error({file}, note).what());
+        for (const std::string& note : found.notes) print_note(note_about({file}, note));
         return std::move(found.image);
     } catch (const Error& error) {
         throw Error({file}, error.what());
@@ -68,7 +76,7 @@ Channel read_channel(const std::string& word) {
     const bool names_channel =
         colon != std::string::npos && colon + 2 == word.size() && letters.find(word.back()) != std::string::npos;
     Channel channel;
-    channel.image = read_image(names_channel ? word.substr(0, colon) : word);
+    channel.image = read_picture(names_channel ? word.substr(0, colon) : word, true);
     channel.index = names_channel ? int(letters.find(word.back())) : 0;
     if (channel.index >= channel.image.channels)
         throw UsageError(fmt::format("{}: this picture has {} channel{}", word, channel.image.channels,
@@ -174,32 +182,15 @@ Image gloss_from_color(const Image& picture, bool inverted) {
     return gloss;
 }
 
-struct ModelFile {
-    GltfModel model;
-    int line_without_uv = 0;  ///< see ObjModel::line_without_uv
-    std::vector<std::string> notes = {};
-};
-ModelFile read_model(const std::string& file) {
-    if (is_named_as_gltf(file)) {
-        ModelFile read{.model = read_gltf(file)};
-        for (const std::string& note : read.model.notes) read.notes.push_back(Error({file}, note).what());
-        return read;
-    }
-    ObjModel obj = read_obj(file);
-    ModelFile read{.model = {}, .line_without_uv = obj.line_without_uv, .notes = std::move(obj.notes)};
-    read.model.mesh = std::move(obj.mesh), read.model.has_uvs = obj.has_uvs, read.model.centre = obj.origin;
-    return read;
-}
-
 /// Returns the coarse model of a bake, with the tangents in its file, or else those of MikkTSpace.
-ModelFile read_coarse(const std::string& file) {
-    ModelFile read = read_model(file);
+Model read_coarse(const std::string& file) {
+    Model model = read_model(file);
     constexpr const char* why = "they are the places of its surface on the map";
-    if (!read.model.has_uvs) throw Error({file}, fmt::format("has no uv: {}", why));
-    if (read.line_without_uv > 0)
-        throw Error({file, read.line_without_uv}, fmt::format("this face has corners without uv (vt): {}", why));
-    if (!is_named_as_gltf(file)) read.model.mesh = with_tangents(read.model.mesh, TangentMethod::mikktspace);
-    return read;
+    if (!model.has_uvs) throw Error({file}, fmt::format("has no uv: {}", why));
+    if (model.line_without_uv > 0)
+        throw Error({file, model.line_without_uv}, fmt::format("this face has corners without uv (vt): {}", why));
+    if (!model.tangents_follow_uv) model.mesh = with_tangents(model.mesh, TangentMethod::mikktspace);
+    return model;
 }
 
 /// Shows the progress of work in parts.
@@ -368,7 +359,7 @@ private:
     }
 
     MadeMap heights() const {
-        const Image picture = read_image(files_[0]);
+        const Image picture = read_picture(files_[0], false);
         Image made = heights_from_color(picture, ColorSpace::srgb);
         const auto [low, high] = std::minmax_element(made.values.begin(), made.values.end());
         std::string about = fmt::format("heights from {} to {}, ", rounded(double(*low)), rounded(double(*high)));
@@ -398,7 +389,7 @@ private:
     }
 
     MadeMap gloss() const {
-        const Image picture = read_image(files_[0]);
+        const Image picture = read_picture(files_[0], false);
         try {
             Image made = gloss_from_color(picture, invert_);
             const auto [low, high] = std::minmax_element(made.values.begin(), made.values.end());
@@ -411,7 +402,7 @@ private:
     }
 
     MadeMap bc5() const {
-        const Image normals = read_image(files_[0]);
+        const Image normals = read_picture(files_[0], true);
         PartProgress progress("blocks");
         try {
             Bc5Texture made = encode_bc5(normals, {.kind = signed_ ? RgtcKind::snorm : RgtcKind::unorm,
@@ -439,14 +430,14 @@ private:
         const bool is_up = is_green_up();
         if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
         const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
-        ModelFile upper = read_model(files_[0]);
-        const ModelFile onto = read_coarse(files_[1]);
-        for (const ModelFile* const read : {&std::as_const(upper), &onto})
-            for (const std::string& note : read->notes) print_note(note);
+        Model upper = read_model(files_[0]);
+        const Model onto = read_coarse(files_[1]);
+        for (const Model* const model : {&std::as_const(upper), &onto})
+            for (const std::string& note : model->notes) print_note(note);
         // Both models are moved by one origin before they are rounded to float.
-        for (Vertex& vertex : upper.model.mesh.vertices)
-            vertex.position = glm::dvec3(vertex.position) + (upper.model.centre - onto.model.centre);
-        const Mesh &fine = upper.model.mesh, &coarse = onto.model.mesh;
+        for (Vertex& vertex : upper.mesh.vertices)
+            vertex.position = glm::dvec3(vertex.position) + (upper.centre - onto.centre);
+        const Mesh &fine = upper.mesh, &coarse = onto.mesh;
         options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
         PartProgress progress("rays");
         options.before_part = progress.before_part();

@@ -11,6 +11,7 @@
 #include "framework/core/base/module.h"
 #include "framework/core/image/exr.h"
 #include "framework/core/image/openimageio.h"
+#include "tests/core/image/png_chunk.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -26,20 +27,6 @@ Image all_values(int width, int height, int channels, int bits) {
     const size_t count = size_t{1} << bits;
     for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = float(i % count) / float(count - 1);
     return image;
-}
-
-std::string big_endian(uint32_t number) {
-    return {char(number >> 24), char(number >> 16), char(number >> 8), char(number)};
-}
-
-/// Returns a PNG chunk (ISO 15948): length, name, bytes, CRC-32 of the last two.
-std::string png_chunk(const std::string& name, const std::string& bytes) {
-    uint32_t crc = ~0u;
-    for (const unsigned char byte : name + bytes) {
-        crc ^= byte;
-        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return big_endian(uint32_t(bytes.size())) + name + bytes + big_endian(~crc);
 }
 
 /// Returns a PNG of rows, each with its filter type first. They are stored uncompressed in zlib's format (RFC 1950).
@@ -293,6 +280,13 @@ protected:
 };
 
 TEST_F(NoImages, AreRefusedWithTheirName) {
+    EXPECT_EQ(file_refusal("a.png", "RIFF\x1a\0\0\0WEBPVP8 "sv),
+              "WebP is not read: save the picture as PNG, or floats as OpenEXR");
+    EXPECT_TRUE(file_refusal("dem.tif", "II*\0\x08\0\0\0"sv).starts_with("TIFF is not read: "));
+    EXPECT_TRUE(file_refusal("a.jpg",
+                             "\0\0\0\x1c"
+                             "ftypavif"sv)
+                    .starts_with("HEIF or AVIF is not read: "));
     EXPECT_EQ(file_refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
     EXPECT_EQ(file_refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
     EXPECT_EQ(file_refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS")

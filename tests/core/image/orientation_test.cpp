@@ -2,12 +2,12 @@
 #include "framework/core/image/orientation.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cmath>
 #include <set>
 
 #include "framework/core/image/file.h"
+#include "tests/core/image/png_chunk.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -29,10 +29,7 @@ std::string exif(int orientation, bool big_endian) {
 }
 
 std::string png_with(const std::string& exif_bytes, const Image& image) {
-    std::string png = encode_image(image, ImageFormat::png);
-    const std::string chunk = "eXIf" + exif_bytes;
-    const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), uInt(chunk.size()));
-    return png.insert(33, number(uint32_t(exif_bytes.size()), 4, true) + chunk + number(uint32_t(checksum), 4, true));
+    return with_png_chunk(encode_image(image, ImageFormat::png), "eXIf", exif_bytes);
 }
 
 /// The sides on which an orientation shows the first row and the first column, by the table of EXIF.

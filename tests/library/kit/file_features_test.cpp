@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "framework/core/image/file.h"
+#include "framework/core/image/normals.h"
 #include "framework/library/kit/obj_scene.h"
 #include "framework/library/kit/own_mesh.h"
 #include "framework/library/maps/heights.h"
+#include "tests/core/image/png_chunk.h"
 #include "tests/features.h"
 
 namespace relief {
@@ -82,6 +84,17 @@ TEST_F(FileFeatures, OfObjAndMtlAreAsTheTableSays) {
 std::function<Lines()> heights(const Image& image, ImageFormat format = ImageFormat::exr) {
     return [=] { return heights_in(decode_image(encode_image(image, format))).notes; };
 }
+std::function<Lines()> heights_of_file(const std::string& file) {
+    return [=] { return heights_in(decode_image(file)).notes; };
+}
+/// Reads a picture as labs take it for a normal map.
+std::function<Lines()> normals(const Image& image) {
+    return [=] {
+        Lines notes;
+        normals_in(image, notes);
+        return notes;
+    };
+}
 std::function<Lines()> bytes(const std::string& file) {
     return [=] {
         decode_image(file);
@@ -112,20 +125,29 @@ std::string with_display(std::string exr, const std::array<int32_t, 4>& window) 
     return exr;
 }
 
+/// Returns a grey PNG with a gamma, in 1/100,000, or without chunks about colours.
+std::string with_gamma(uint32_t gamma) {
+    Image grey = varied(1);
+    grey.bits = 8;
+    std::string png = encode_image(grey, ImageFormat::png);
+    png.erase(png.find("sRGB") - 4, 13);
+    return gamma ? with_png_chunk(png, "gAMA", big_endian(gamma)) : png;
+}
+
 TEST_F(FileFeatures, OfPicturesAreAsTheTableSays) {
     const std::string exr = encode_image(varied(1), ImageFormat::exr);
     const std::string samples = (course_root() / "tests/core/image/files").string();
     std::string integers = exr, parts = exr, many = exr;
     integers[integers.find("Y\0\x02\0\0\0"s) + 2] = 0;
     parts[5] = '\x10';
-    Image holes = varied(1), metres = varied(1, 500), end = varied(1, 0.01f), flat(8, 8, 4), normals(8, 8, 4);
+    Image holes = varied(1), metres = varied(1, 500), end = varied(1, 0.01f), flat(8, 8, 4), blue(8, 8, 4);
     holes.values[3] = NAN;
     metres.values[3] = -9999;
     end.values[3] = 1, end.bits = 16;
     for (size_t i = 0; i < 64; ++i) {
         const float color[3] = {0.5f, 0.5f, 1};
-        for (size_t c = 0; c < 3; ++c) flat.values[4 * i + c] = 1, normals.values[4 * i + c] = color[c];
-        flat.values[4 * i + 3] = normals.values[4 * i + 3] = float(i) / 63;
+        for (size_t c = 0; c < 3; ++c) flat.values[4 * i + c] = 1, blue.values[4 * i + c] = color[c];
+        flat.values[4 * i + 3] = blue.values[4 * i + 3] = float(i) / 63;
     }
     Image none(2, 2, 1);
     std::fill(none.values.begin(), none.values.end(), NAN);
@@ -135,7 +157,17 @@ TEST_F(FileFeatures, OfPicturesAreAsTheTableSays) {
           {bytes(encode_image(varied(3), ImageFormat::png)), bytes(exr), bytes(read_file(samples + "/tiles.exr")),
            bytes(read_file(samples + "/grey.jpg")), bytes("P5 1 1 255\nx"),
            bytes(encode_image(varied(3), ImageFormat::ppm)), bytes(encode_image(varied(1), ImageFormat::pfm))}},
-         {"colour profiles", {bytes(encode_image(varied(3), ImageFormat::png, {}, ColorSpace::linear))}},
+         {"colour profile sRGB", {heights_of_file(with_gamma(0)), heights_of_file(with_gamma(45455))}},
+         {"another colour profile", {heights_of_file(with_gamma(55556))}},  // color_profile_test.cpp has all
+         {"a linear colour profile", {heights_of_file(with_gamma(100000))}},
+         {"normal maps from -1",
+          {normals(varied(3, -1)), normals(varied(4)),
+           [&] {
+               Image hole = varied(3);
+               hole.values[4] = NAN;
+               return normals(hole)();
+           }}},
+         {"WebP, TIFF", {bytes("RIFF\x1a\0\0\0WEBPVP8 "s), bytes("II*\0\x08\0\0\0"s), bytes("BM")}},
          {"EXIF orientation", {bytes(encode_image(varied(3), ImageFormat::png))}},  // orientation_test.cpp has all
          {"OpenEXR whose data window is larger", {bytes(with_display(exr, {1, 1, 6, 6}))}},
          {"OpenEXR whose data window does not fill",
@@ -145,7 +177,7 @@ TEST_F(FileFeatures, OfPicturesAreAsTheTableSays) {
           {bytes("P5\r\n2 1\r\n255\r\nab"), bytes("P5\n2 1\n255 \nab"), bytes("Pf\n1 1\n2\nabcd")}},
          {"heights in grey", {heights(grey_with(varied(1), 0.5f))}},
          {"heights in the last channel", {heights(flat), heights(varied(4))}},
-         {"heights in the fourth channel", {heights(normals)}},
+         {"heights in the fourth channel", {heights(blue)}},
          {"NaN, infinity", {heights(holes), heights(metres)}},
          {"a value at one end", {heights(end, ImageFormat::png)}},
          {"heights in metres", {heights(varied(1, 500)), heights(varied(1, -1))}},
