@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/core/base/error.h"
-#include "framework/core/image/normals.h"
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/choices.h"
 #include "framework/library/kit/kept.h"
@@ -15,6 +14,7 @@
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/own_maps.h"
 #include "framework/library/kit/tiles.h"
+#include "framework/library/maps/normals.h"
 #include "framework/library/maps/own_picture.h"
 #include "framework/library/mesh/shapes.h"
 #include "scene.h"

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "framework/core/base/error.h"
-#include "framework/core/image/normals.h"
 #include "framework/library/kit/uniforms.h"
 #include "framework/library/maps/heights.h"
+#include "framework/library/maps/normals.h"
 #include "framework/library/maps/resample.h"
 #include "task.h"
 

@@ -7,8 +7,8 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
-#include "framework/core/image/normals.h"
 #include "framework/library/maps/heights.h"
+#include "framework/library/maps/normals.h"
 #include "tests/core/image/png_chunk.h"
 #include "tests/support.h"
 

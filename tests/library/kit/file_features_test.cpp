@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "framework/core/image/file.h"
-#include "framework/core/image/normals.h"
 #include "framework/library/kit/obj_scene.h"
 #include "framework/library/kit/own_mesh.h"
 #include "framework/library/maps/heights.h"
+#include "framework/library/maps/normals.h"
 #include "tests/core/image/png_chunk.h"
 #include "tests/features.h"
 

@@ -1,5 +1,5 @@
 // Normal maps of the user: which values are normals, and what the notes say.
-#include "framework/core/image/normals.h"
+#include "framework/library/maps/normals.h"
 
 #include <gtest/gtest.h>
 

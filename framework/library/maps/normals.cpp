@@ -1,4 +1,4 @@
-#include "framework/core/image/normals.h"
+#include "framework/library/maps/normals.h"
 
 #include <fmt/format.h>
 
