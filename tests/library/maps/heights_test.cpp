@@ -13,18 +13,18 @@
 namespace relief {
 namespace {
 
-constexpr int side = 24;
+constexpr int map_side = 24;
 
 /// Returns a picture whose channels are functions of x and y.
 Image picture(int channels, int bits, const std::function<float(int x, int y, int channel)>& value) {
-    Image image(side, side, channels, bits);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
+    Image image(map_side, map_side, channels, bits);
+    for (int y = 0; y < map_side; ++y)
+        for (int x = 0; x < map_side; ++x)
             for (int c = 0; c < channels; ++c) image.pixel(x, y)[c] = value(x, y, c);
     return image;
 }
-float slope(int x, int) { return float(x) / (side - 1); }
-float other_slope(int, int y) { return float(y) / (side - 1); }
+float slope(int x, int) { return float(x) / (map_side - 1); }
+float other_slope(int, int y) { return float(y) / (map_side - 1); }
 Image slopes(int bits = 16) {
     return picture(1, bits, [](int x, int y, int) { return slope(x, y); });
 }
@@ -90,13 +90,13 @@ TEST(Heights, NanAndInfinityAreFilledFromTheHeightsAround) {
         EXPECT_EQ(found.not_finite, 16u);
         ASSERT_EQ(found.notes.size(), 1u);
         EXPECT_TRUE(contains(found.notes[0], "16 texels hold NaN or infinity")) << found.notes[0];
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < map_side; ++y)
+            for (int x = 0; x < map_side; ++x) {
                 const float height = *found.image.pixel(x, y);
                 if (std::isfinite(*map.pixel(x, y)))
                     EXPECT_EQ(height, *map.pixel(x, y));
                 else  // a mean of heights at most 4 texels away
-                    EXPECT_NEAR(height, slope(x, y), 4.0f / (side - 1));
+                    EXPECT_NEAR(height, slope(x, y), 4.0f / (map_side - 1));
             }
     }
     EXPECT_TRUE(
@@ -113,7 +113,7 @@ TEST(Heights, MetresAreScaledFromTheirOwnLeastToTheirGreatest) {
     EXPECT_EQ(around_0.low, -0.5);
     EXPECT_EQ(around_0.high, 0.5);
     const Heights flat = heights_in(picture(1, 32, [](int, int, int) { return 300.0f; }));
-    EXPECT_EQ(flat.image.values, std::vector<float>(side * side, 0.0f));
+    EXPECT_EQ(flat.image.values, std::vector<float>(map_side * map_side, 0.0f));
 }
 
 TEST(Heights, AMarkOfMissingDataIsNamedWithItsCountAndFilled) {
@@ -161,7 +161,7 @@ TEST(Heights, In16BitsOnly32768IsSurelyAVoid) {
     ASSERT_EQ(wrapped.notes.size(), 1u);
     EXPECT_TRUE(wrapped.notes[0].starts_with("1 texel holds 32768, far from all others (1047 to 1270): voids"))
         << wrapped.notes[0];
-    EXPECT_NEAR(wrapped.image.values[50] * 65535, 1047 + 223 * slope(50 % side, 0), 25);
+    EXPECT_NEAR(wrapped.image.values[50] * 65535, 1047 + 223 * slope(50 % map_side, 0), 25);
     for (const int code : {0, 65535}) {
         const Heights named = with(code);
         ASSERT_EQ(named.notes.size(), 1u);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <random>
 
 #include "framework/library/maps/test_maps.h"
@@ -12,17 +13,15 @@
 namespace relief {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Jimenez et al. 2016: the cosine of the slope.
 TEST(Occlusion, OfAnEndlessGrooveIsTheCosineOfItsSlope) {
     for (const double slope : {15.0, 30.0, 45.0}) {
         Image groove(65, 4, 1);
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 65; ++x)
-                *groove.pixel(x, y) = float(std::abs(x - 32) * std::tan(slope * pi / 180) / 64);
+                *groove.pixel(x, y) = float(std::abs(x - 32) * std::tan(slope * glm::pi<double>() / 180) / 64);
         const Image open = occlusion_from_heights(groove, 64, 32, 24);
-        EXPECT_NEAR(*open.pixel(32, 1), std::cos(slope * pi / 180), 0.002) << slope;
+        EXPECT_NEAR(*open.pixel(32, 1), std::cos(slope * glm::pi<double>() / 180), 0.002) << slope;
     }
 }
 
@@ -44,7 +43,8 @@ TEST(Occlusion, OfAReliefMatchesRayTracing) {
             const glm::dvec3 up = glm::cross(normal, side);
             int free = 0;
             for (int ray = 0; ray < rays; ++ray) {
-                const double turn = 2 * pi * double(dice()) / 4294967296.0, share = double(dice()) / 4294967296.0;
+                const double turn = 2 * glm::pi<double>() * double(dice()) / 4294967296.0,
+                             share = double(dice()) / 4294967296.0;
                 const glm::dvec3 along =
                     std::sqrt(share) * (std::cos(turn) * side + std::sin(turn) * up) + std::sqrt(1 - share) * normal;
                 const glm::dvec3 from(texel, field.height(texel) + 1e-6);
