@@ -190,13 +190,13 @@ TEST(ObjMaterials, AWipeOfNormalsHasTheColoursOnBothSides) {
     };
     const Image on = picture({}), off = picture({{"normal_maps", "off"}}), both = picture({{"maps", "wipe-normals"}});
     size_t apart = 0;
-    for (int y = 0; y < 60; ++y)  // above the notes
+    for (int y = 0; y < 48; ++y)  // notes take at most the lower half
         for (int x = 0; x < 128; ++x)
             for (int c = 0; c < 3; ++c) {
                 EXPECT_EQ(both.pixel(x, y)[c], (x < 64 ? on : off).pixel(x, y)[c]) << x << ' ' << y;
                 apart += std::abs(on.pixel(x, y)[c] - off.pixel(x, y)[c]) > 0.02f;
             }
-    EXPECT_GT(apart, 300u);
+    EXPECT_GT(apart, 200u);
 }
 
 TEST(ObjMaterials, AnOwnFileIsDrawnWithTheMapsOfItsFolderAndHasNoExactValues) {
