@@ -169,8 +169,9 @@ Verdict compare_calls(const Manifest& manifest, const CheckInfo& check, const Im
     if (wrong == 0) return said;
     said.outcome = Outcome::wrong;
     said.found += ": " + first;
-    // A call can fail through another demand than its own.
-    said.look_at = broken.size() == 1 ? "the task says: " : "of these words of the task at least one does not hold: ";
+    // Not "this demand is broken": a call can fail through another demand than its own.
+    said.look_at =
+        broken.size() == 1 ? "a call for these words of the task fails: " : "calls for these words of the task fail: ";
     said.look_at += fmt::format("\"{}\"", fmt::join(broken, "\"; \""));
     return said;
 }

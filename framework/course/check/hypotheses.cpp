@@ -414,6 +414,7 @@ private:
                 if (x < 0 || y < 0 || x >= w || y >= h) return {};
                 return pair.expected_at(size_t(y) * size_t(w) + size_t(x));
             });
+            found_.back().may_hold_in_part = false;  // a few pixels agree with those of another place by chance
         };
         const std::string name = whole_name();
         if (count_ < 4 || pair_.is_unrolled()) return;

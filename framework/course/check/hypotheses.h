@@ -20,7 +20,8 @@ struct Hypothesis {
     std::string words;  ///< completes "yours is ..."
     Rule rule;
     bool is_constant = false;
-    /// Whether it may hold in a part of the picture only: not if a number in it comes from the pictures.
+    /// Whether it may hold in a part of the picture only: not if a number in it comes from the pictures, nor for the
+    /// expected picture at another place.
     bool may_hold_in_part = true;
     /// The share of the error that it may leave. A function, or a number taken from the pictures, fits
     /// many pictures by chance, so it must leave less.

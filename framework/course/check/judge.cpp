@@ -163,7 +163,12 @@ void judge_among_solutions(const Manifest& manifest, std::vector<Verdict>& check
 /// Fills in the hint of each check, and lets checks wait for the tasks that should be put right first.
 void tell(const Manifest& manifest, std::vector<Verdict>& checks, const std::vector<Cause>& causes,
           const std::map<std::string, NamedMistake>& named) {
+    // Tasks that get no usual cause. A failed call is evidence, which a usual cause may contradict. Later checks of a
+    // task name details that the code may have right.
     std::set<std::string> hinted;
+    for (size_t i = 0; i < checks.size(); ++i)
+        if (manifest.checks[i].shot.calls && checks[i].outcome == Outcome::wrong && causes[i].first.empty())
+            hinted.insert(manifest.checks[i].task);
     for (size_t i = 0; i < checks.size(); ++i) {
         const CheckInfo& check = manifest.checks[i];
         Verdict& said = checks[i];
@@ -186,7 +191,6 @@ void tell(const Manifest& manifest, std::vector<Verdict>& checks, const std::vec
         } else if (named.contains(check.task)) {
             said.look_at = as_begin(said.relation);  // the task's hint tells the rest
         } else {
-            // Later checks of a task name details that the code may have right.
             const bool is_first = hinted.insert(check.task).second;
             said.look_at = is_first || !said.look_at.empty() ? hint_of(check, said) : as_begin(said.relation);
         }

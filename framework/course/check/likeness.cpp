@@ -45,7 +45,8 @@ void Likeness::add(const Likeness& other) {
 }
 
 std::string told(const std::string& hint, bool is_certain, size_t failed_checks) {
-    return is_certain && failed_checks > 1 ? hint : "Perhaps: " + hint;
+    const bool is_one_of_several = hint.find(" Or: ") != std::string::npos;
+    return is_certain && failed_checks > 1 && !is_one_of_several ? hint : "Perhaps: " + hint;
 }
 
 Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,

@@ -57,7 +57,7 @@ inline constexpr Exactness other_renderer{
 bool is_like(const Likeness& one, bool passed, const Exactness& exactness = {});
 
 /// Returns a known mistake's hint for a message. If few values agree, or after a single failed check, the hint is only
-/// a possibility, because other mistakes may draw the same there.
+/// a possibility, because other mistakes may draw the same there. So are the hints of mistakes that all draw the same.
 std::string told(const std::string& hint, bool is_certain, size_t failed_checks);
 
 /// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture,

@@ -60,19 +60,20 @@ Verdict judge_calls(std::vector<float> values) {
     return judge(all, info, drawn, expected);
 }
 
-TEST(Examples, QuoteTheWordsThatDoNotHold) {
+TEST(Examples, QuoteTheWordsWhoseCallsFail) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(judge_calls({1.00005f, 0, 0, 0, 0, 0, 0, 0, 1e30f, 0, 0, 0}).outcome, Outcome::passed)
         << "within 1e-4, relative where values are large";
     const Verdict too_long = judge_calls({1.0002f, 0, 0, 0, 0, 0, 0, 0, 1e30f, 0, 0, 0});
     EXPECT_EQ(too_long.outcome, Outcome::wrong);
-    EXPECT_EQ(too_long.look_at, "the task says: \"of unit length\"");
+    EXPECT_EQ(too_long.look_at, "a call for these words of the task fails: \"of unit length\"");
     EXPECT_EQ(too_long.found, "1 of 3 calls return something else: f(1) is 1.0002, not 1");
-    EXPECT_EQ(judge_calls({1, 0, 0, 0, nan, 0, 0, 0, 1e30f, 0, 0, 0}).look_at, "the task says: \"never NaN\"");
+    EXPECT_EQ(judge_calls({1, 0, 0, 0, nan, 0, 0, 0, 1e30f, 0, 0, 0}).look_at,
+              "a call for these words of the task fails: \"never NaN\"");
     EXPECT_EQ(judge_calls({1, 0, 0, 0, no_surface, no_surface, no_surface, no_surface, 1e30f, 0, 0, 0}).outcome,
               Outcome::wrong);
     EXPECT_EQ(judge_calls({1, 0, 0, 9, 0, 0, 0, 0, 1, 0, 0, 0}).look_at,
-              "of these words of the task at least one does not hold: \"of unit length\"; \"never NaN\"")
+              "calls for these words of the task fail: \"of unit length\"; \"never NaN\"")
         << "all four components count";
 }
 
@@ -280,6 +281,21 @@ TEST(Hints, AreTheChecksOwnOnlyForTheFirstWrongCheckOfATask) {
     EXPECT_EQ(hints_of(manifest(), {right, wrong, wrong, right, right})[1], "put task 1.2 right first")
         << "a check that waits takes no hint from the others of its task";
     EXPECT_EQ(hints_of(manifest(), {wrong, wrong, wrong, right, right})[0], "a usual cause lies here: own hint of 1.1");
+}
+
+// A usual cause is a guess. The words of the failed call may refute it.
+TEST(Hints, NameNoUsualCauseBesideAFailedCall) {
+    Manifest all = manifest();
+    all.checks[1].needs = {}, all.checks[1].shot.calls.texts = {"f(1)"};
+    Verdict related = wrong, called = wrong;
+    related.relation = "yours is half of it", called.look_at = "a call fails";
+    EXPECT_EQ(hints_of(all, {related, called, right, right, right}),
+              (std::vector<std::string>{"Yours is half of it", "a call fails", "", "", ""}))
+        << "also before the call, in the order of the checks";
+    EXPECT_EQ(hints_of(all, {wrong, right, right, right, right})[0], "a usual cause lies here: own hint of 1.1")
+        << "all calls are right";
+    EXPECT_EQ(hints_of(all, {right, called, wrong, right, right})[2], "a usual cause lies here: own hint of 1.2")
+        << "the call is of another task";
 }
 
 TEST(Hints, ReportThatOnlyTheLengthIsWrong) {

@@ -85,6 +85,8 @@ TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
     EXPECT_EQ(told("mind the sign", true, 2), "mind the sign");
     EXPECT_EQ(told("mind the sign", true, 1), "Perhaps: mind the sign");
     EXPECT_EQ(told("mind the sign", false, 2), "Perhaps: mind the sign");
+    EXPECT_EQ(told("mind the sign. Or: mind the axis", true, 2), "Perhaps: mind the sign. Or: mind the axis")
+        << "both draw the same";
 }
 
 TEST(Likeness, OfYesAndNoOrThreeValuesIsUncertain) {

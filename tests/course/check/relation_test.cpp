@@ -133,6 +133,15 @@ TEST(Relation, SaysThatPixelsAreMissing) {
     EXPECT_EQ(said(drawn, right, depth), "yours is twice the expected value, where both pictures have a surface");
 }
 
+// In a dark edge that is wider, most values are those of the opposite side.
+TEST(Relation, NamesNoOtherPlaceForAPartOfThePicture) {
+    const auto step = [](double end) {
+        return painted(1, [=](double x, double y) { return std::vector{x > end ? 1.5 + 0.3 * y : 0.5 + 0.3 * y}; });
+    };
+    const std::string sentence = said(step(-0.4), step(-0.2), depth);
+    EXPECT_FALSE(sentence.find("mirrored") != std::string::npos) << sentence;
+}
+
 TEST(Relation, NamesAPictureAtAnotherPlace) {
     const Image right = pairs();
     Image turned = right, moved = right;
