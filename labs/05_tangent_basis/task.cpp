@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "framework/core/base/unfinished.h"
-#include "framework/library/mesh/frame.h"
 
 namespace relief::basis {
 

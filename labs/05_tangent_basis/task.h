@@ -4,6 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "framework/library/mesh/frame.h"
+
 namespace relief::basis {
 
 struct Triangle {
