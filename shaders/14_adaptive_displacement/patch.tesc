@@ -129,7 +129,7 @@ void main() {
     // A patch outside of the picture needs no levels.
     vec4 flat_ = known(row_sphere);
     vec2 left = left_on(flat_);
-    vec4 sphere = bounds_of(flat_, left);
+    vec4 sphere = u_culls_outside || u_culls_backs ? bounds_of(flat_, left) : vec4(0.0);
     bool is_out = u_culls_outside && is_outside(u_planes, sphere);
     if (!is_out || u_show_culled) c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
     if (gl_InvocationID != 0) return;

@@ -19,6 +19,7 @@
 #include "framework/course/check/kept_labs.h"
 #include "framework/course/check/starter.h"
 #include "framework/course/check/task_text.h"
+#include "framework/course/manifest/paths.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/overlay.h"
@@ -144,6 +145,72 @@ TEST_P(Course, TheHandoutSaysOnceThatThereAreHiddenChecks) {
     const size_t first = text.find(words);
     ASSERT_NE(first, text.npos) << "labs/README.md has the words";
     EXPECT_EQ(text.find(words, first + 1), text.npos);
+}
+
+TEST_P(Course, TheHandoutStatesTimeNeedsAndWhatMayBeLeftOut) {
+    if (!is_of_the_course()) GTEST_SKIP() << "a lab of someone's own";
+    const std::string lines = read_file(course_root() / "labs" / GetParam().folder / "README.md"),
+                      text = std::regex_replace(lines, std::regex("\n"), " ");
+    ASSERT_GT(manifest_.hours, 0);
+    EXPECT_TRUE(contains(text, "**Time.** " + effort_text(manifest_) + "  **Begin here.**")) << effort_text(manifest_);
+    for (const std::string& chapter : manifest_.leave_out)
+        EXPECT_TRUE(contains(lines, "\n## " + chapter + "\n")) << chapter;
+    for (const TaskInfo& task : manifest_.tasks) {
+        const size_t row = lines.find(fmt::format("\n| {} | {} | ", task.id, task.points));
+        ASSERT_NE(row, lines.npos) << task.id;
+        EXPECT_EQ(contains(lines.substr(row + 1, lines.find('\n', row + 1) - row), "(optional) |"), task.optional)
+            << task.id;
+    }
+}
+
+// Otherwise a student who leaves an optional task out cannot check another one.
+TEST_P(Course, NoPublicCheckOfATaskNeedsAnOptionalOne) {
+    for (const CheckInfo& check : manifest_.checks) {
+        if (check.hidden || manifest_.task(check.task).optional) continue;
+        for (const TaskInfo& other : manifest_.tasks)
+            EXPECT_FALSE(other.optional && check.depends_on(other.id)) << check.name << " depends on " << other.id;
+    }
+}
+
+TEST(CoursePaths, HaveWhatEachLabNeedsBeforeIt) {
+    std::vector<Manifest> all;
+    for (const LabEntry& lab : registry()) all.push_back(load_manifest(lab));
+    std::map<std::string, const Manifest*> by_number;
+    for (size_t i = 0; i < all.size(); ++i) by_number[registry()[i].two_digits()] = &all[i];
+    for (const auto& [number, manifest] : by_number)
+        for (const std::string& need : manifest->needs) {
+            ASSERT_TRUE(by_number.contains(need)) << number << " needs " << need;
+            EXPECT_LT(need, number);
+            EXPECT_FALSE(by_number[need]->elective) << number << " needs " << need;
+            for (const auto& [path, week] : manifest->weeks) {
+                const auto before = by_number[need]->weeks.find(path);
+                ASSERT_NE(before, by_number[need]->weeks.end()) << path << ": " << number << " needs " << need;
+                EXPECT_LE(before->second, week) << path << ": " << number << " needs " << need;
+            }
+        }
+}
+
+// The instructor's guide has the paths as tables: "| 1 | 01, 04, 05 | 6 |".
+TEST(CoursePaths, StandInTheGuideWithTheHoursOfEachWeek) {
+    const std::string guide = read_file(course_root() / "labs/staff/README.md");
+    std::vector<Manifest> all;
+    std::vector<const Manifest*> labs;
+    for (const LabEntry& lab : registry()) all.push_back(load_manifest(lab));
+    for (const Manifest& manifest : all) labs.push_back(&manifest);
+    for (const CoursePath& path : course_paths) {
+        double hours = 0;
+        std::string table;
+        const std::vector<CourseWeek> weeks = weeks_of(path, labs);
+        for (size_t i = 0; i < weeks.size(); ++i) {
+            std::vector<std::string> numbers;
+            for (const size_t lab : weeks[i].labs) numbers.push_back(registry()[lab].two_digits());
+            ASSERT_FALSE(numbers.empty()) << path.name << ": nothing to do in week " << i + 1;
+            table += fmt::format("| {} | {} | {} |", i + 1, join(numbers, ", "), weeks[i].hours) + "\n";
+            hours += weeks[i].hours;
+        }
+        EXPECT_TRUE(contains(guide, table)) << path.name << "\n" << table;
+        EXPECT_TRUE(contains(guide, fmt::format("`--path {}`, {}", path.name, hours_text(hours)))) << hours;
+    }
 }
 
 TEST_P(Course, HasTasksChecksAndMistakes) {

@@ -131,13 +131,10 @@ int check_own_work(const CheckOptions& options) {
     const auto [tasks, driver] =
         check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits());
 
-    double points = 0, waiting = 0;
     bool all = true;
     Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
     for (const check::TaskVerdict& task : tasks) {
-        points += task.points();
-        waiting += task.waiting_points();
         for (const check::Verdict& result : task.checks) all &= result.outcome <= check::Outcome::unproven;
         if (json) {
             report["tasks"].push_back(check::as_json(task));
@@ -146,7 +143,10 @@ int check_own_work(const CheckOptions& options) {
         printer.print(task);
     }
     if (json) {
-        report["points"] = points, report["of"] = manifest.points(), report["waiting"] = waiting;
+        const check::PointSum sum = check::sum_of(tasks), optional = check::sum_of(tasks, true);
+        report["points"] = sum.points, report["of"] = sum.of, report["waiting"] = sum.waiting;
+        if (optional.of > 0)
+            report["optional"] = {{"points", optional.points}, {"of", optional.of}, {"waiting", optional.waiting}};
         fmt::print("{}\n", report.dump(2));
     } else {
         fmt::print("{}\n", check::points_text(tasks));

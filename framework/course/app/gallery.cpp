@@ -17,6 +17,7 @@
 #include "framework/core/image/file.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/app/gallery.h"
+#include "framework/course/manifest/paths.h"
 #include "framework/course/pages/handout_page.h"
 #include "framework/course/pages/lab_groups.h"
 #include "framework/course/pages/lab_page.h"
@@ -32,15 +33,15 @@ pages::Fields card(const pages::LabPage& page) {
     const Manifest& manifest = *page.manifest;
     const size_t tasks = manifest.tasks.size();
     const std::string file = pages::lab_page_file(*page.lab);
-    return {
-        {"broken", ""},
-        {"number", page.lab->two_digits()},
-        {"title", manifest.title},
-        {"file", file},
-        {"picture", page.card},
-        {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
-        {"tasks",
-         tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())}};
+    return {{"broken", ""},
+            {"number", page.lab->two_digits()},
+            {"title", manifest.title},
+            {"file", file},
+            {"picture", page.card},
+            {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
+            {"tasks", tasks == 0 ? ""
+                                 : fmt::format("{}{} {}, {}", manifest.elective ? "elective: " : "", tasks,
+                                               tasks == 1 ? "task" : "tasks", points_of_lab(manifest))}};
 }
 
 /// Converts a knob's value to a part of a file name.
@@ -260,7 +261,7 @@ private:
         size_t tasks = 0;
         int points = 0;
         for (const pages::LabPage& page : pages_)
-            tasks += page.manifest->tasks.size(), points += page.manifest->points();
+            tasks += page.manifest->tasks.size(), points += page.manifest->points() + page.manifest->optional_points();
         return pages::render({.title = "Relief: the labs",
                               .body = "index",
                               .styles = {"site", "index"},
@@ -272,6 +273,7 @@ private:
                               {"points", points},
                               {"begin", begin()},
                               {"links", links()},
+                              {"paths", paths()},
                               {"groups", in_groups(std::move(cards))},
                               {"driver", describe_context().driver()}});
     }
@@ -293,6 +295,34 @@ private:
         if (!pages_.empty()) add("Try in a browser", pages_.front().live);
         if (!is_live_) add("Speed and error", bench_->place("index.html"));
         return links;
+    }
+
+    /// Returns the ways through the course whose labs are all on this site.
+    pages::Value paths() const {
+        std::vector<const Manifest*> labs;
+        for (const pages::LabPage& page : pages_) labs.push_back(page.manifest);
+        pages::List list;
+        for (const CoursePath& path : course_paths) {
+            const std::vector<CourseWeek> all = weeks_of(path, labs);
+            double hours = 0;
+            pages::List weeks;
+            for (const CourseWeek& week : all) {
+                if (week.labs.empty()) break;
+                pages::List steps;
+                for (const size_t lab : week.labs) {
+                    const pages::LabPage& page = *std::next(pages_.begin(), std::ptrdiff_t(lab));
+                    steps.push_back(pages::Fields{{"file", pages::lab_page_file(*page.lab)},
+                                                  {"number", page.lab->two_digits()},
+                                                  {"title", page.manifest->title}});
+                }
+                weeks.push_back(pages::Fields{{"hours", hours_text(week.hours)}, {"steps", std::move(steps)}});
+                hours += week.hours;
+            }
+            if (weeks.size() < all.size()) continue;
+            list.push_back(
+                pages::Fields{{"path", path.title}, {"hours", hours_text(hours)}, {"weeks", std::move(weeks)}});
+        }
+        return pages::rows(std::move(list));
     }
 
     static std::string accessibility() {

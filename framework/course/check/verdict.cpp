@@ -88,14 +88,22 @@ TaskVerdict::Share TaskVerdict::share_of(const Verdict& check) const {
 }
 
 TaskVerdict unjudged(const TaskInfo& task) {
-    return {.id = task.id, .title = task.title, .file = task.file, .of = task.points};
+    return {.id = task.id, .title = task.title, .file = task.file, .of = task.points, .optional = task.optional};
+}
+
+PointSum sum_of(const std::vector<TaskVerdict>& tasks, bool optional) {
+    PointSum sum;
+    for (const TaskVerdict& task : tasks)
+        if (task.optional == optional)
+            sum.points += task.points(), sum.waiting += task.waiting_points(), sum.of += task.of;
+    return sum;
 }
 
 std::string points_text(const TaskVerdict& task) {
     std::set<std::string> others;
     for (const Verdict& check : task.checks) others.insert(check.waits_for.begin(), check.waits_for.end());
     const double waiting = task.waiting_points();
-    const std::string range = range_text(task.points(), waiting, task.of);
+    const std::string range = range_text(task.points(), waiting, task.of, task.optional ? "optional " : "");
     if (others.empty()) return range;
     const std::string points = hundredths(points_of(task, Outcome::waiting));
     return fmt::format("{}: {} {} for {}", range, points, points == "1" ? "waits" : "wait",
@@ -103,15 +111,15 @@ std::string points_text(const TaskVerdict& task) {
 }
 
 std::string points_text(const std::vector<TaskVerdict>& tasks) {
-    double points = 0, waiting = 0;
-    int of = 0, hidden = 0;
-    for (const TaskVerdict& task : tasks) {
-        points += task.points(), waiting += task.waiting_points(), of += task.of;
-        hidden += task.hidden_checks;
-    }
-    if (hidden == 0) return range_text(points, waiting, of);
-    return fmt::format("{}; {} more check{} the rest when it is graded", range_text(points, waiting, of, "public "),
-                       hidden, hidden == 1 ? " decides" : "s decide");
+    int hidden = 0;
+    for (const TaskVerdict& task : tasks) hidden += task.hidden_checks;
+    const PointSum all = sum_of(tasks), more = sum_of(tasks, true);
+    const std::string optional =
+        more.of > 0 ? ", and " + range_text(more.points, more.waiting, more.of, "optional ") : "";
+    if (hidden == 0) return range_text(all.points, all.waiting, all.of) + optional;
+    return fmt::format("{}{}; {} more check{} the rest when it is graded",
+                       range_text(all.points, all.waiting, all.of, "public "), optional, hidden,
+                       hidden == 1 ? " decides" : "s decide");
 }
 
 std::string waits_text(const TaskIds& tasks, const char* state) {

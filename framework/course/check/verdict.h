@@ -62,7 +62,8 @@ struct Verdict {
 /// The verdict on a task.
 struct TaskVerdict {
     std::string id, title, file;
-    int of = 0;  ///< maximum number of points
+    int of = 0;             ///< maximum number of points
+    bool optional = false;  ///< see TaskInfo::optional
     std::vector<Verdict> checks = {};
     /// The known mistake that its pictures show: its id, which a student's course does not know, and its hint. Else
     /// empty.
@@ -85,6 +86,14 @@ struct TaskVerdict {
 /// Returns the verdict on a task before any check: no points.
 TaskVerdict unjudged(const TaskInfo& task);
 
+/// Points of several tasks.
+struct PointSum {
+    double points = 0, waiting = 0;
+    int of = 0;
+};
+/// Returns the sum of the tasks that are optional, or of those that are not.
+PointSum sum_of(const std::vector<TaskVerdict>& tasks, bool optional = false);
+
 /// "2", "1.5"
 std::string points_text(double points);
 
@@ -92,7 +101,8 @@ std::string points_text(double points);
 /// are unproven: "1.5 to 3 of 3 points".
 std::string points_text(const TaskVerdict& task);
 
-/// Returns the points of a whole lab: "4.25 of 5 points", or "4.25 to 5 of 5 points" if points are still open. In a
+/// Returns the points of a whole lab: "4.25 of 5 points", with optional tasks "4.25 of 5 points, and 2 of 4 optional
+/// points", or "4.25 to 5 of 5 points" if points are still open. In a
 /// student's course: "5 of 5 public points; 3 more checks decide the rest when it is graded".
 std::string points_text(const std::vector<TaskVerdict>& tasks);
 

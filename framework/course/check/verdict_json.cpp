@@ -42,6 +42,7 @@ ordered_json as_json(const TaskVerdict& task) {
                          {"points", task.points()}, {"of", task.of},       {"waiting", task.waiting_points()},
                          {"mistake", task.mistake}, {"hint", task.hint},   {"checks", ordered_json::array()}};
     if (task.hidden_checks > 0) json["hidden_checks"] = task.hidden_checks, json["not_tested"] = task.not_tested;
+    if (task.optional) json["optional"] = true;
     for (const Verdict& check : task.checks) json["checks"].push_back(as_json(check));
     return json;
 }
@@ -50,6 +51,7 @@ TaskVerdict task_from(const ordered_json& json) {
     TaskVerdict task{.id = json.at("id"), .title = json.at("title"), .file = json.at("file"), .of = json.at("of")};
     task.mistake = json.at("mistake");
     task.hint = json.at("hint");
+    task.optional = json.value("optional", false);
     for (const ordered_json& check : json.at("checks")) task.checks.push_back(check_from(check));
     const double points = json.at("points");
     const bool is_plain = task.id.find_first_not_of("0123456789.") == std::string::npos;  // else it is not ours

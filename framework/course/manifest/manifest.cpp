@@ -11,6 +11,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/course/manifest/paths.h"
 #include "framework/course/manifest/toml_table.h"
 
 namespace relief {
@@ -125,10 +126,25 @@ TaskInfo read_task(Table& table) {
     table.read("points", task.points, 0, 1000);
     table.read("functions", task.functions);
     table.read("alone", task.alone);
+    table.read("optional", task.optional);
     table.finish();
     if (!is_course_path(task.file))
         table.fail("file", "'file' is a path inside the course, like shaders/20_x/task.glsl");
     return task;
+}
+
+/// Reads what a lab costs, what it builds on, and its place in the course's paths.
+void read_effort(Table& root, Manifest& manifest) {
+    root.read("hours", manifest.hours, 0.5, 100);
+    root.read("needs", manifest.needs);
+    root.read("mathematics", manifest.mathematics);
+    root.read("leave_out", manifest.leave_out);
+    root.read("elective", manifest.elective);
+    auto weeks = root.table("weeks");
+    if (!weeks) return;
+    for (const CoursePath& path : course_paths)
+        if (weeks->has(path.name)) weeks->read(path.name, manifest.weeks[path.name], 1, path.weeks);
+    weeks->finish();
 }
 
 Limits read_limits(Table table) {
@@ -361,7 +377,13 @@ bool CheckInfo::depends_on(const std::string& other_task) const {
 
 int Manifest::points() const {
     int sum = 0;
-    for (const TaskInfo& task : tasks) sum += task.points;
+    for (const TaskInfo& task : tasks) sum += task.optional ? 0 : task.points;
+    return sum;
+}
+
+int Manifest::optional_points() const {
+    int sum = 0;
+    for (const TaskInfo& task : tasks) sum += task.optional ? task.points : 0;
     return sum;
 }
 
@@ -454,6 +476,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     if (manifest.title.empty() || manifest.title.find('\n') != std::string::npos)
         root.fail("title", "'title' must be one line");
     root.read("learns", manifest.learns);
+    read_effort(root, manifest);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
     root.read("task_includes", manifest.task_includes);
@@ -468,6 +491,8 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         refuse_second(table, "id", "tasks", manifest.tasks, &TaskInfo::id, task.id);
         manifest.tasks.push_back(std::move(task));
     }
+    if (manifest.points() == 0 && manifest.optional_points() > 0)
+        root.fail("task", "a lab with points has a task that is not optional");
     read_checks(root, false, manifest);
     root.read("example_includes", manifest.example_includes);
     for (Table& table : root.tables("example")) read_public_example(table, manifest);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct TaskInfo {
     std::vector<std::string> functions = {};
     /// If it loses points with the student's other tasks, it is graded again with the solution of the other tasks.
     bool alone = true;
+    /// Its points are not part of the lab's maximum. They make up for points that other tasks lost.
+    bool optional = false;
 };
 /// Returns whether a task's file is a shader; else it is C++.
 inline bool is_shader(const std::string& file) { return file.ends_with(".glsl"); }
@@ -125,6 +128,12 @@ struct GoldenInfo {
 struct Manifest {
     std::string title;
     std::vector<std::string> learns;
+    double hours = 0;                           ///< estimated time of a third-year student; 0: unknown
+    std::vector<std::string> needs = {};        ///< labs whose ideas this one uses, as "04"
+    std::vector<std::string> mathematics = {};  ///< what a student must know of it
+    std::vector<std::string> leave_out = {};    ///< chapters of the handout that a first reading can omit
+    bool elective = false;                      ///< no other lab needs it
+    std::map<std::string, int> weeks = {};      ///< the week of this lab in each path that has it, see course_paths
     Orbit camera;
     bool animated = false;
     /// Files below `shaders` that the shader of a task may include, besides common/unfinished.glsl.
@@ -143,7 +152,8 @@ struct Manifest {
     /// one if the manifest names none; empty if there is none.
     std::string cover;
 
-    int points() const;
+    int points() const;           ///< the maximum: of the tasks that are not optional
+    int optional_points() const;  ///< of the optional tasks
     // These throw UsageError that suggests the nearest name.
     const ProbeInfo& probe(const std::string& name) const;
     const TaskInfo& task(const std::string& id) const;

@@ -66,10 +66,8 @@ std::string look_at(const check::Verdict& result) {
 
 std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<check::TaskVerdict>& tasks,
                        const std::string& driver) {
-    double points = 0;
     List shown;
     for (const check::TaskVerdict& task : tasks) {
-        points += task.points();
         List checks;
         std::set<std::string> hints, told;  // each once in a task
         for (const check::Verdict& result : task.checks) {
@@ -92,7 +90,8 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"worst", badge(worst(task))},
                                {"checks", std::move(checks)}});
     }
-    const std::string number = lab.two_digits(), reached = check::points_text(std::round(points * 100) / 100);
+    const std::string number = lab.two_digits(),
+                      reached = check::points_text(std::round(check::sum_of(tasks).points * 100) / 100);
     return render(Page{.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
                        .body = "check",
                        .styles = {"badge", "checks", "figures", "check"},

@@ -1,5 +1,6 @@
 #include "framework/course/pages/lab_page.h"
 
+#include "framework/course/manifest/paths.h"
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
 
@@ -32,7 +33,8 @@ Value compared(const LabPage& page) {
 Value tasks(const Manifest& manifest) {
     List list;
     for (const TaskInfo& task : manifest.tasks)
-        list.push_back(Fields{{"id", task.id}, {"title", task.title}, {"points", task.points}});
+        list.push_back(
+            Fields{{"id", task.id}, {"title", task.title}, {"optional", task.optional}, {"points", task.points}});
     return rows(std::move(list));
 }
 
@@ -67,6 +69,8 @@ std::string lab_page(const LabPage& page) {
                           {"title", manifest.title},
                           {"picture", page.picture},
                           {"points", manifest.points()},
+                          {"optional_points", manifest.optional_points() > 0},
+                          {"effort", manifest.hours > 0 ? effort_text(manifest) : ""},
                           {"learns", rows(manifest.learns)},
                           {"tasks", tasks(manifest)},
                           {"compared", compared(page)},

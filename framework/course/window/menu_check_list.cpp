@@ -91,7 +91,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
     for (const TaskInfo& task : manifest.tasks) {
         ImGui::Dummy({0, 4});
         push_font(font(FontRole::bold));
-        wrapped(fmt::format("{}  {}", task.id, task.title));
+        wrapped(fmt::format("{}  {}{}", task.id, task.title, task.optional ? " (optional)" : ""));
         ImGui::PopFont();
         const bool is_whole = checks.state(task) == TaskState::passed;
         colored_text(is_whole ? good : quiet, check::points_text(checks.of(task)));

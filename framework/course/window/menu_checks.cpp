@@ -149,9 +149,8 @@ std::vector<check::TaskVerdict> Checks::tasks() const {
 std::string Checks::points() const { return check::points_text(tasks()); }
 
 double Checks::share() const {
-    double earned = 0;
-    for (const check::TaskVerdict& task : tasks()) earned += task.points();
-    return manifest_.points() > 0 ? earned / manifest_.points() : 0;
+    const check::PointSum sum = check::sum_of(tasks());
+    return sum.of > 0 ? sum.points / sum.of : 0;
 }
 
 std::string Checks::hint(const TaskInfo& task) const {

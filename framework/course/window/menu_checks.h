@@ -53,6 +53,7 @@ public:
     TaskState state(const TaskInfo& task) const;
     /// Its checks without their pictures; one that has not run yet is unfinished.
     check::TaskVerdict of(const TaskInfo& task) const;
+    std::vector<check::TaskVerdict> tasks() const;
     /// Returns the points of the lab, as `relief check` prints them.
     std::string points() const;
     /// The earned points as a share of all, 0 to 1. 0 if the lab has no points.
@@ -68,8 +69,6 @@ public:
     const std::string& to_build() const { return to_build_; }
 
 private:
-    std::vector<check::TaskVerdict> tasks() const;
-
     const LabEntry* lab_ = nullptr;
     Manifest manifest_;
     std::optional<check::LabChecker> checker_;

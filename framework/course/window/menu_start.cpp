@@ -101,7 +101,10 @@ void StartPage::check_next() {
         }
         checks_.run_next("");
         if (checks_.pending()) return;
-        card.points = checks_.manifest().tasks.empty() ? "no tasks" : checks_.points();
+        // A card has no room for optional points.
+        std::vector<check::TaskVerdict> tasks = checks_.tasks();
+        std::erase_if(tasks, [](const check::TaskVerdict& task) { return task.optional; });
+        card.points = tasks.empty() ? "no tasks" : check::points_text(tasks);
         card.share = checks_.share();
     } catch (const Error&) {
         card.points = "cannot be checked";  // opening that lab shows the error

@@ -101,6 +101,8 @@ private:
         if (lab.tasks.empty()) table.fail("lab", fmt::format("lab {} has no tasks", entry.two_digits()));
         if (const std::string due = table.date("due"); !due.empty())
             lab.due = parse_moment(due, offset_, {file_, table.line("due")});
+        if (bool counts = false; table.read("optional", counts), counts)
+            for (TaskInfo& task : lab.tasks) task.optional = false;
         lab.canvas = "Lab " + entry.two_digits();
         table.read("canvas", lab.canvas);
         std::string moodle;

@@ -21,7 +21,7 @@ struct Student {
 
 struct AssignedLab {
     std::string folder;
-    std::vector<TaskInfo> tasks;
+    std::vector<TaskInfo> tasks;   ///< none is optional if the class file lets the optional ones count
     std::optional<Moment> due;     ///< without it, nothing is late
     std::string canvas;            ///< the column in Canvas's gradebook
     std::filesystem::path moodle;  ///< Moodle's grading worksheet, or empty

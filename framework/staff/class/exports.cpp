@@ -167,7 +167,8 @@ std::string to_csv(const ClassStanding& standing) {
         head.push_back(fmt::format("late days used (of {})", standing.policy.late.bank_days));
     for (const LabStanding& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
     for (const LabStanding& lab : labs)
-        for (const TaskStanding& task : lab.tasks) head.push_back(fmt::format("{} (of {})", task.id, task.of));
+        for (const TaskStanding& task : lab.tasks)
+            head.push_back(fmt::format("{} (of {}{})", task.id, task.of, task.optional ? ", optional" : ""));
     std::string text = csv_line(head);
     for (const Standing& one : standing.students) {
         const bool marked = one.is_marked();

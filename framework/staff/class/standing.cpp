@@ -39,7 +39,11 @@ std::vector<CountedLab> counted_labs(const std::vector<SubmissionMark>& marks, c
         for (const LabMark& lab : mark.labs)
             if (const auto [entry, is_new] = graded.try_emplace(lab.lab); is_new)
                 for (const check::TaskVerdict& task : lab.tasks)
-                    entry->second.push_back({.id = task.id, .title = task.title, .file = task.file, .points = task.of});
+                    entry->second.push_back({.id = task.id,
+                                             .title = task.title,
+                                             .file = task.file,
+                                             .points = task.of,
+                                             .optional = task.optional});
     for (auto& [folder, tasks] : graded) labs.push_back({folder, std::move(tasks)});
     return labs;
 }
@@ -182,7 +186,7 @@ private:
                         .last_day = {}};
         lab.marked = !graded || graded->graded();
         for (const TaskInfo& info : counted.tasks) {
-            TaskStanding task{.id = info.id, .title = info.title, .of = info.points};
+            TaskStanding task{.id = info.id, .title = info.title, .of = info.points, .optional = info.optional};
             if (graded && lab.marked)
                 for (const check::TaskVerdict& one : graded->tasks)
                     if (one.id == info.id) task.graded = one.points(), task.of = one.of;
@@ -282,9 +286,13 @@ double sum_of(const std::vector<One>& all, Part part) {
 
 }  // namespace
 
-int LabStanding::of() const { return int(sum_of(tasks, &TaskStanding::of)); }
-double LabStanding::graded() const { return sum_of(tasks, &TaskStanding::graded); }
-double LabStanding::adjusted() const { return sum_of(tasks, &TaskStanding::adjusted); }
+int LabStanding::of() const {
+    int sum = 0;
+    for (const TaskStanding& task : tasks) sum += task.optional ? 0 : task.of;
+    return sum;
+}
+double LabStanding::graded() const { return std::min(sum_of(tasks, &TaskStanding::graded), double(of())); }
+double LabStanding::adjusted() const { return std::min(sum_of(tasks, &TaskStanding::adjusted), double(of())); }
 
 int Standing::of() const { return int(sum_of(labs, &LabStanding::of)); }
 double Standing::graded() const { return sum_of(labs, &LabStanding::graded); }

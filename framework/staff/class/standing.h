@@ -16,8 +16,9 @@ namespace relief::grade {
 struct TaskStanding {
     std::string id, title;
     int of = 0;
-    double graded = 0;    ///< by the grader
-    double adjusted = 0;  ///< including adjustments, in [0, `of`]
+    bool optional = false;  ///< not part of the lab's maximum
+    double graded = 0;      ///< by the grader
+    double adjusted = 0;    ///< including adjustments, in [0, `of`]
 };
 
 struct LabStanding {
@@ -36,6 +37,7 @@ struct LabStanding {
     std::string last_day;        ///< "2027-03-01", the day of the last one
     int on_last_day = 0;         ///< graded hand-ins on that day
 
+    /// Optional tasks are not part of the maximum. Their points make up for lost ones, up to it.
     int of() const;
     double graded() const, adjusted() const;
     double points() const { return adjusted() * late_share; }

@@ -35,15 +35,10 @@ check::TaskTexts texts_of(const Submission& submission) {
 }  // namespace
 
 double LabMark::points() const {
-    double sum = 0;
-    for (const check::TaskVerdict& task : tasks) sum += task.points();
-    return sum;
+    const check::PointSum sum = check::sum_of(tasks), optional = check::sum_of(tasks, true);
+    return std::min(sum.points + optional.points, double(sum.of));
 }
-int LabMark::max_points() const {
-    int sum = 0;
-    for (const check::TaskVerdict& task : tasks) sum += task.of;
-    return sum;
-}
+int LabMark::max_points() const { return check::sum_of(tasks).of; }
 bool LabMark::graded() const {
     for (const check::TaskVerdict& task : tasks)
         for (const check::Verdict& check : task.checks)

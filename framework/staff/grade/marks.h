@@ -43,9 +43,10 @@ struct LabMark {
     /// Why a newer hand-in was not graded, so that this is the mark of an earlier one; or empty.
     std::string kept = {};
 
+    /// Points of optional tasks make up for lost ones, up to the maximum.
     double points() const;
-    int max_points() const;
-    bool graded() const;  ///< returns whether no check failed through the grader's fault
+    int max_points() const;  ///< of the tasks that are not optional
+    bool graded() const;     ///< returns whether no check failed through the grader's fault
 };
 
 /// Grades one lab. Draws the solution once, in the constructor. mark() is thread-safe.

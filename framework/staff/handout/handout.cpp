@@ -16,6 +16,7 @@
 #include "framework/course/check/check.h"
 #include "framework/course/check/hidden_checks.h"
 #include "framework/course/check/starter.h"
+#include "framework/course/manifest/paths.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 
 namespace relief::handout {
@@ -112,7 +113,7 @@ std::string readme(const std::vector<const LabEntry*>& labs) {
     for (const LabEntry* lab : labs) {
         const Manifest manifest = load_manifest(*lab);
         table += fmt::format("| [{0} {1}](labs/{2}/README.md) | {3} | {4} |\n", lab->two_digits(), lab->name,
-                             lab->folder, manifest.title, manifest.points());
+                             lab->folder, manifest.title, points_of_lab(manifest));
     }
     std::string text = read_file(course_root() / "framework/staff/handout/handout_readme.md");
     for (const auto& [word, with] :

@@ -39,6 +39,13 @@ List changes_of(const Question& question) {
     return changes;
 }
 
+List hints_of(const Question& question) {
+    List hints;
+    for (size_t i = 0; i < question.hints.size(); ++i)
+        hints.push_back(Fields{{"letter", letter_of(i)}, {"hint", with_code(question.hints[i])}});
+    return hints;
+}
+
 std::string call_text(const check::LoneCall& call) {
     return call.count > 1 ? fmt::format("call {} of {} at this pixel", call.number + 1, call.count) : "";
 }
@@ -61,6 +68,8 @@ Fields question_fields(const Question& question, size_t number) {
             {"value", is_value ? Value(std::move(value)) : Value()},
             {"which_picture", question.kind == QuestionKind::picture},
             {"which_line", question.kind == QuestionKind::line},
+            {"which_mistake", question.kind == QuestionKind::mistake},
+            {"hints", hints_of(question)},
             {"changes", changes_of(question)}};
 }
 
@@ -70,7 +79,12 @@ Fields sheet_fields(const Question& question, size_t number) {
     Value mark;
     for (size_t i = 0; i < question.pictures.size(); ++i) {
         const bool is_choice = question.kind == QuestionKind::picture;
-        const char* const caption = is_choice ? "" : i == 0 ? "your picture" : "with one line changed";
+        const bool is_mistake = question.kind == QuestionKind::mistake;
+        const char* const caption = is_choice              ? ""
+                                    : is_mistake && i == 0 ? "right"
+                                    : is_mistake           ? "with a mistake"
+                                    : i == 0               ? "your picture"
+                                                           : "with one line changed";
         pictures.push_back(picture_of(question.pictures[i], is_choice ? letter_of(i) : "", caption));
     }
     if (question.kind == QuestionKind::value && !question.pictures.empty()) {
@@ -142,7 +156,7 @@ std::string question_key(const std::vector<StudentQuestions>& students) {
 
 std::string questions_json(const std::vector<StudentQuestions>& students, const std::string& seed) {
     using Json = nlohmann::ordered_json;
-    constexpr const char* kinds[] = {"value", "picture", "line"};
+    constexpr const char* kinds[] = {"value", "picture", "line", "mistake"};
     Json all = Json::object();
     if (!seed.empty()) all["seed"] = seed;
     all["students"] = Json::array();
@@ -170,6 +184,7 @@ std::string questions_json(const std::vector<StudentQuestions>& students, const 
             }
             for (const grade::LineChange& change : question.changes)
                 one["changes"].push_back({{"line", change.line}, {"was", change.was}, {"now", change.now}});
+            if (!question.hints.empty()) one["hints"] = question.hints;
             one["answer"] = question.answer;
             questions.push_back(std::move(one));
         }

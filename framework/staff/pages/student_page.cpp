@@ -67,6 +67,7 @@ private:
                 {"file", task.file},
                 {"points", points_shown(task.points())},
                 {"of", task.of},
+                {"optional", task.optional ? "optional " : ""},
                 {"worst", badge(worst)},
                 {"mistake", task.hint.empty() ? "" : task.mistake},
                 {"hint", with_code(task.hint)},

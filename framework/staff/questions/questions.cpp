@@ -128,14 +128,16 @@ bool is_telling(const check::LoneCall& call) {
     return copied == call.inputs.end();
 }
 
+bool are_distinct(const Image& a, const Image& b) {
+    return double(difference(a, b, distinct_change).pixels_over) >= distinct_share * double(a.pixel_count());
+}
+
 std::vector<size_t> distinct_pictures(const std::vector<Image>& pictures, size_t count) {
     std::vector<size_t> taken;
     for (size_t i = 0; i < pictures.size() && taken.size() < count; ++i) {
         if (pictures[i].values.empty()) continue;
-        const bool is_new = std::all_of(taken.begin(), taken.end(), [&](size_t other) {
-            return double(difference(pictures[i], pictures[other], distinct_change).pixels_over) >=
-                   distinct_share * double(pictures[i].pixel_count());
-        });
+        const bool is_new = std::all_of(taken.begin(), taken.end(),
+                                        [&](size_t other) { return are_distinct(pictures[i], pictures[other]); });
         if (is_new) taken.push_back(i);
     }
     return taken;
@@ -146,7 +148,8 @@ std::vector<Question> chosen_questions(const std::vector<LabQuestions>& labs, si
     std::map<std::pair<size_t, QuestionKind>, size_t> next;  // by lab and kind
     for (bool found = true; found && chosen.size() < count;) {
         found = false;
-        for (const QuestionKind kind : {QuestionKind::value, QuestionKind::picture, QuestionKind::line})
+        for (const QuestionKind kind :
+             {QuestionKind::value, QuestionKind::picture, QuestionKind::line, QuestionKind::mistake})
             for (size_t i = 0; i < labs.size() && chosen.size() < count; ++i) {
                 const std::vector<Question>& all = labs[i].questions;
                 size_t& at = next[{i, kind}];
@@ -191,6 +194,8 @@ public:
         if (result_.problem.empty()) ask_for_values();
         begins("changed lines");
         if (result_.problem.empty()) ask_for_changes();
+        begins("known mistakes");
+        if (result_.problem.empty()) ask_about_mistakes();
         return std::move(result_);
     }
 
@@ -432,15 +437,21 @@ private:
     /// Draws all views of one changed file into `pictures`, by view and mutant.
     void draw_change(const Changed& of, const std::vector<ChangeView>& views, size_t mutant,
                      std::vector<std::vector<Image>>& pictures) const {
+        CourseFiles files = files_;
+        if (mutant > 0) files[of.task->file] = of.mutants[mutant - 1].text;
+        draw_views(files, views, mutant, pictures);
+    }
+
+    /// Draws all views of the files into `pictures`, by view and `place`.
+    void draw_views(const CourseFiles& files, const std::vector<ChangeView>& views, size_t place,
+                    std::vector<std::vector<Image>>& pictures) const {
         const AttemptLimits limits{.cpu = std::max(10.0, 10 * maker_.views_.solution_cpu())};
         std::vector<Shot> shots;
         for (const ChangeView& view : views) shots.push_back(view.shot);
-        CourseFiles files = files_;
-        if (mutant > 0) files[of.task->file] = of.mutants[mutant - 1].text;
         const Attempt drawn = attempt(maker_.stage_, maker_.lab_, files, shots, maker_.setup_.renderer, limits);
         for (size_t view = 0; view < views.size(); ++view)
             if (const auto& image = drawn.shots[view].image; image && !is_one_color(*image))
-                pictures[view][mutant] = as_seen(*image, probe_of(shots[view]));
+                pictures[view][place] = as_seen(*image, probe_of(shots[view]));
     }
 
     LineChange change_of(const Changed& of, size_t picture) const {
@@ -484,6 +495,75 @@ private:
             if (choices[i] == right) question.answer = letter(i);
         }
         result_.questions.push_back(std::move(question));
+    }
+
+    void ask_about_mistakes() {
+        std::vector<const TaskInfo*> tasks = asked_;
+        std::mt19937 dice = dice_of(seed_ + "|mistakes");
+        shuffle(tasks, dice);
+        tasks.resize(std::min(tasks.size(), count_));
+        for (const TaskInfo* task : tasks)
+            for (const bool with_probes : {false, true})
+                if (ask_about_mistake(*task, with_probes)) break;
+    }
+
+    /// Returns known mistakes of shaders, those of the task first, each group in a seeded order.
+    std::vector<const MistakeInfo*> sampled_mistakes(const TaskInfo& task) const {
+        std::vector<const MistakeInfo*> sample;
+        for (const MistakeInfo& one : manifest_.mistakes)
+            if (one.same_as.empty() && is_asked(one.task) &&
+                std::all_of(one.edits.begin(), one.edits.end(), [](const Edit& edit) { return is_shader(edit.file); }))
+                sample.push_back(&one);
+        std::mt19937 dice = dice_of(seed_ + "|mistakes|" + task.id);
+        shuffle(sample, dice);
+        std::stable_partition(sample.begin(), sample.end(),
+                              [&](const MistakeInfo* one) { return one->task == task.id; });
+        sample.resize(std::min(sample.size(), mutants_drawn));
+        return sample;
+    }
+
+    /// Adds a question about a known mistake of the task whose picture differs visibly from the right one and from
+    /// those of three other mistakes. Returns whether there is one.
+    bool ask_about_mistake(const TaskInfo& task, bool with_probes) {
+        const std::vector<const MistakeInfo*> mistakes = sampled_mistakes(task);
+        const std::vector<ChangeView> views = change_views(task, with_probes);
+        if (views.empty()) return false;
+        std::vector<CourseFiles> files(1, solution_files(manifest_));
+        for (const MistakeInfo* one : mistakes) {
+            files.push_back(files.front());
+            for (auto& [file, text] : edited(one->edits)) files.back()[file] = text;
+        }
+        std::vector<std::vector<Image>> pictures(views.size(), std::vector<Image>(files.size()));
+        parallel_each(files.size(), unsigned(jobs_), [&](size_t i) { draw_views(files[i], views, i, pictures); });
+        for (size_t view = 0; view < views.size(); ++view)
+            for (size_t i = 1; i < files.size() && mistakes[i - 1]->task == task.id; ++i)
+                if (add_mistake(task, views[view], mistakes, pictures[view], i)) return true;
+        return false;
+    }
+
+    /// `pictures`: the solution's, then one of each mistake. The question is about the picture `right`.
+    bool add_mistake(const TaskInfo& task, const ChangeView& view, const std::vector<const MistakeInfo*>& mistakes,
+                     const std::vector<Image>& pictures, size_t right) {
+        const Image& shown = pictures[right];
+        if (shown.values.empty() || pictures[0].values.empty() || !are_distinct(shown, pictures[0])) return false;
+        std::vector<size_t> choices = {right};
+        for (size_t i = 1; i < pictures.size() && choices.size() < 4; ++i)
+            if (!pictures[i].values.empty() && are_distinct(shown, pictures[i]) &&
+                std::none_of(choices.begin(), choices.end(),
+                             [&](size_t other) { return mistakes[other - 1]->hint == mistakes[i - 1]->hint; }))
+                choices.push_back(i);
+        if (choices.size() < 4) return false;
+        Question question = begun(QuestionKind::mistake, task, *view.check);
+        question.probe = view.shot.probe.name;
+        question.pictures = {pictures[0], shown};
+        std::mt19937 dice = dice_of(seed_ + "|mistake|" + task.id);
+        shuffle(choices, dice);
+        for (size_t i = 0; i < choices.size(); ++i) {
+            question.hints.push_back(mistakes[choices[i] - 1]->hint);
+            if (choices[i] == right) question.answer = letter(i);
+        }
+        result_.questions.push_back(std::move(question));
+        return true;
     }
 
     const QuestionMaker& maker_;

@@ -1,5 +1,6 @@
 // Questions about a student's own shaders, with answers, for a test of understanding. Every answer was computed by the
-// student's code in the sandbox. Nothing here is asked about C++ tasks, whose files are replaced by the solution's.
+// student's code in the sandbox; those about known mistakes, by the solution's. Nothing here is asked about C++ tasks,
+// whose files are replaced by the solution's.
 #pragma once
 
 #include <functional>
@@ -25,15 +26,16 @@ struct LineChange {
 };
 
 /// `value`: what does a function return at a pixel? `picture`: which of four pictures does a change of a line make?
-/// `line`: which of four changes makes a picture?
-enum class QuestionKind { value, picture, line };
+/// `line`: which of four changes makes a picture? `mistake`: which of four known mistakes made this picture?
+enum class QuestionKind { value, picture, line, mistake };
 
 /// A question about one task. Texts that come from the submission are printable, but not escaped.
 struct Question {
     QuestionKind kind = QuestionKind::value;
     std::string lab, task, file;  ///< the lab's folder; the task's id; its file
     std::string view;             ///< the name of the check whose view it is
-    /// 8-bit: the student's own picture; then, for `line`, the changed one; for `picture`, the four choices alone.
+    /// 8-bit: the student's own picture; then, for `line`, the changed one; for `picture`, the four choices alone; for
+    /// `mistake`, the right picture and that of the mistake.
     std::vector<Image> pictures = {};
     std::string probe = {};  ///< the quantity that the pictures show, if it is a probe's
     // A value:
@@ -46,6 +48,7 @@ struct Question {
     std::string found = {}, look_at = {};             ///< the result and the hint of the failed check
     // A change of a line:
     std::vector<LineChange> changes = {};  ///< one for `picture`, four for `line`
+    std::vector<std::string> hints = {};   ///< of four known mistakes, for `mistake`
     /// The key: the returned value, or the letter of the choice.
     std::string answer = {};
 };
@@ -79,10 +82,10 @@ public:
     QuestionMaker(const LabEntry& lab, const Stage& stage, GradeSetup setup);
 
     /// Returns up to `count` questions of each kind. `seed`: the same questions for the same submission and seed.
-    /// `jobs`: mutants drawn at a time. `begins` is called three times, before each part of the work.
+    /// `jobs`: mutants drawn at a time. `begins` is called `parts` times, before each part of the work.
     LabQuestions ask(const Submission& submission, size_t count, const std::string& seed, int jobs,
                      const std::function<void(const std::string& part)>& begins) const;
-    static constexpr int parts = 3;
+    static constexpr int parts = 4;
 
 private:
     class Sheet;

@@ -146,6 +146,16 @@ TEST(PointsText, GivesTheRangeThatChecksLeaveOpenWhileTheyWait) {
               "1 to 4 of 5 points");
 }
 
+TEST(PointsText, CountsOptionalTasksApart) {
+    const TaskVerdict task{.id = "1.2", .title = {}, .file = {}, .of = 3, .checks = {right, wrong}};
+    TaskVerdict more{.id = "1.3", .title = {}, .file = {}, .of = 2, .optional = true, .checks = {right, wrong}};
+    EXPECT_EQ(points_text(more), "1 of 2 optional points");
+    EXPECT_EQ(points_text({task, more}), "1.5 of 3 points, and 1 of 2 optional points");
+    more.hidden_checks = 1;
+    EXPECT_EQ(points_text({task, more}),
+              "1.5 of 3 public points, and 1 of 2 optional points; 1 more check decides the rest when it is graded");
+}
+
 TEST(PointsText, TellsStudentsOfHiddenChecks) {
     const TaskVerdict task{.id = "1.2", .title = {}, .file = {}, .of = 3, .checks = {right}, .hidden_checks = 1};
     EXPECT_EQ(points_text(std::vector{task}), "3 of 3 public points; 1 more check decides the rest when it is graded");

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "framework/core/base/paths.h"
+#include "framework/course/manifest/paths.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -100,6 +101,33 @@ shot = { set = { steps = 4, scale = 0.5, shadows = false, method = "cone" }, pro
     EXPECT_EQ(shot.size, glm::ivec2(64, 32));
     EXPECT_EQ(shot.camera.yaw, 5);
     EXPECT_EQ(shot.camera.distance, 2.5) << "what a shot leaves out is the lab's";
+}
+
+TEST(Manifest, StatesTimeNeedsAndWhatMayBeLeftOut) {
+    const std::string begin =
+        "title = \"a\"\nhours = 1\nneeds = [\"03\", \"06\", \"15\"]\nmathematics = [\"gradients\"]\n"
+        "leave_out = [\"In the code\"]\nweeks = { short = 3 }\n";
+    const std::string tasks =
+        "[[task]]\nid = \"1.1\"\ntitle = \"b\"\nfile = \"shaders/01/task.glsl\"\npoints = 3\n"
+        "[[task]]\nid = \"1.2\"\ntitle = \"c\"\nfile = \"labs/01/task.cpp\"\npoints = 2\noptional = true\n";
+    const Manifest manifest = load(begin + tasks);
+    EXPECT_EQ(manifest.points(), 3);
+    EXPECT_EQ(manifest.optional_points(), 2);
+    EXPECT_EQ(points_of_lab(manifest), "3 points and 2 optional");
+    EXPECT_EQ(manifest.weeks, (std::map<std::string, int>{{"short", 3}}));
+    EXPECT_EQ(
+        effort_text(manifest),
+        "About 1 hour. Before it: labs 03, 06 and 15; gradients. C++ in task 1.2. You may leave out task 1.2, and "
+        "the chapter “In the code”.");
+    EXPECT_EQ(effort_text(load("title = \"a\"\nhours = 2.5\nelective = true\n")),
+              "About 2.5 hours. No C++. An elective: no other lab needs it.");
+    EXPECT_EQ(effort_text(load("title = \"a\"\nhours = 2\n")), "About 2 hours. No C++. Leave nothing out.");
+    EXPECT_EQ(refusal("title = \"a\"\nweeks = { short = 4 }\n"),
+              "lab.toml:2: 'short' must be a whole number from 1 to 3");
+    EXPECT_TRUE(contains(refusal("title = \"a\"\nweeks = { long = 1 }\n"), "long"));
+    EXPECT_TRUE(contains(refusal("title = \"a\"\n[[task]]\nid = \"1.1\"\ntitle = \"b\"\nfile = \"a/b.glsl\"\n"
+                                 "points = 1\noptional = true\n"),
+                         "a lab with points has a task that is not optional"));
 }
 
 TEST(Manifest, NeedsOnlyATitle) {

@@ -18,7 +18,7 @@ using Cells = std::vector<std::string>;
 
 const LabRegistration thirteen("13_displacement", nullptr), fourteen("14_adaptive_displacement", nullptr);
 const std::string lab_14 = "14_adaptive_displacement";
-constexpr int points_of_13 = 13, points_of_14 = 22;  // labs/*/lab.toml
+constexpr int points_of_13 = 13, points_of_14 = 15;  // labs/*/lab.toml, without optional tasks
 
 // ---- tables ----
 
@@ -172,26 +172,11 @@ TEST_F(ClassFiles, TheExampleOfTheGuideIsValid) {
     EXPECT_EQ(policy.adjustments.size(), 1u);
     EXPECT_EQ(policy.late.percent_per_day, 10);
     // The example has every key. Readers would have to guess a key that the guide omits.
-    for (const char* key : {"utc_offset",
-                            "roster",
-                            "hand_ins",
-                            "adjustments",
-                            "[[assigned]]",
-                            "due",
-                            "canvas",
-                            "moodle",
-                            "[late]",
-                            "grace_hours",
-                            "percent_per_day",
-                            "floor_percent",
-                            "bank_days",
-                            "bank_days_per_lab",
-                            "[attempts]",
-                            "per_day",
-                            "[[extension]]",
-                            "days",
-                            "note",
-                            "[[student]]"})
+    for (const char* key :
+         {"utc_offset",    "roster",    "hand_ins",          "adjustments", "[[assigned]]", "due",
+          "canvas",        "moodle",    "optional",          "[late]",      "grace_hours",  "percent_per_day",
+          "floor_percent", "bank_days", "bank_days_per_lab", "[attempts]",  "per_day",      "[[extension]]",
+          "days",          "note",      "[[student]]"})
         EXPECT_TRUE(contains(block("toml"), key)) << key;
 }
 
@@ -333,6 +318,24 @@ TEST_F(ClassFiles, TheDenominatorIsTheSameForAll) {
               points_of_14);
     EXPECT_TRUE(contains(message_of([&] { class_standing(marks, read(some_labs), {"14_adaptive_displacement"}); }),
                          "assigns none of the labs"));
+}
+
+TEST_F(ClassFiles, OptionalTasksMakeUpForLostPointsUnlessTheyCountLikeOthers) {
+    const auto standing = [&](const SubmissionMark& mark, const std::string& text) {
+        const std::vector<SubmissionMark> own = {mark};
+        const ClassStanding all = class_standing(own, read("[[assigned]]\nlab = 14\n" + text), {});
+        return std::pair(all.students[0].points(), all.students[0].of());
+    };
+    // 14.5 and 14.6 are optional. The marks say that each task of these submissions has 3 points.
+    const std::vector<SubmissionMark> marks = {
+        submission("few", {{"14.1", 2}, {"14.5", 3}}),
+        submission("all", {{"14.1", 3}, {"14.2", 3}, {"14.3", 3}, {"14.4", 3}, {"14.5", 3}, {"14.7", 3}})};
+    EXPECT_EQ(standing(marks[0], ""), std::pair(5.0, points_of_14));
+    const auto [points, of] = standing(marks[1], "");
+    EXPECT_EQ(points, of) << "never more than the maximum";
+    EXPECT_EQ(standing(marks[0], "optional = true\n").first, 5);
+    EXPECT_GT(standing(marks[0], "optional = true\n").second, points_of_14);
+    EXPECT_GT(standing(marks[1], "optional = true\n").first, points);
 }
 
 TEST_F(ClassFiles, NamesMatchInAnyUnicodeNormalForm) {

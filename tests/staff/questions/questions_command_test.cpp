@@ -179,6 +179,14 @@ TEST_F(AskedTwo, EachLetterIsOfThePictureThatTheChangedLineDraws) {
         const Image image = draw_shot(*make_lab(lab, shot), shot);
         return shot.probe ? visualize_probe(image, manifest.probe(shot.probe.name).colors()) : image;
     };
+    const auto with_mistake = [&](const json& question, const MistakeInfo& mistake, const Image& like) {
+        const CourseOverlay overlay(edited(mistake.edits));
+        Shot shot = manifest.check(question["view"]).shot;
+        shot.probe.name = question.value("probe", "");
+        shot.size = {like.width, like.height};
+        const Image image = draw_shot(*make_lab(lab, shot), shot);
+        return shot.probe ? visualize_probe(image, manifest.probe(shot.probe.name).colors()) : image;
+    };
     const auto is_same = [](const Image& a, const Image& b) {
         return double(difference(a, b, 2.5 / 255).pixels_over) < 0.002 * double(a.pixel_count());
     };
@@ -205,6 +213,15 @@ TEST_F(AskedTwo, EachLetterIsOfThePictureThatTheChangedLineDraws) {
                 own_pictures += is_same(shown[i], unchanged);
             }
             EXPECT_EQ(own_pictures, 1U);
+        } else if (question["kind"] == "mistake") {
+            ASSERT_EQ(shown.size(), 2U);
+            ASSERT_EQ(question["hints"].size(), 4U);
+            EXPECT_TRUE(is_same(shown[0], drawn(question, nullptr, shown[0]))) << "the student's file is the solution";
+            for (size_t i = 0; i < 4; ++i)
+                for (const MistakeInfo& mistake : manifest.mistakes) {
+                    if (!mistake.same_as.empty() || question["hints"][i] != mistake.hint) continue;
+                    EXPECT_EQ(is_same(shown[1], with_mistake(question, mistake, shown[1])), i == right) << mistake.id;
+                }
         } else {
             ASSERT_EQ(shown.size(), 2U);
             ASSERT_EQ(question["changes"].size(), 4U);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "framework/core/base/parallel.h"
+#include "framework/core/image/color.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/half.h"
 
@@ -222,6 +223,16 @@ TEST(NormalFormat, KeepsAFlatTexelOrTiltsItByTheErrorOfItsZeroCode) {
             EXPECT_EQ(error, 0) << info.name;
     }
     EXPECT_NEAR(round_trip(Coding::paired8, Coding::unorm8, flat), 0.3178, 5e-5) << "the mismatched pair";
+}
+
+TEST(NormalFormat, LoadedAsSrgbOrWithGreenDownHasTheErrorOfTheHandout) {
+    const auto read = [](double code) { return 2 * linear_from_srgb(code / 255) - 1; };
+    EXPECT_NEAR(read(128), -0.57, 0.005) << "in place of 0";
+    EXPECT_NEAR(degrees_between({read(128), read(128), read(255)}, {0, 0, 1}), 38.8, 0.05);
+    for (const double lean : {5.0, 20.0, 45.0}) {
+        const double a = glm::radians(lean);
+        EXPECT_NEAR(degrees_between({0, -std::sin(a), std::cos(a)}, {0, std::sin(a), std::cos(a)}), 2 * lean, 1e-9);
+    }
 }
 
 TEST(NormalFormat, KeepsTheAxesAndTheFoldsOfTheOctahedronWithEitherSignOfZero) {

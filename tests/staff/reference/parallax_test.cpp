@@ -85,6 +85,42 @@ TEST(Parallax, LinearStepsHaveTheErrorRateOfHandout11) {
             << row.steps;
 }
 
+/// Returns the hit of a march whose samples after the first one are shifted by a share of a step, with a linear
+/// crossing. A share of 0 is march().
+glm::dvec2 shifted_march(const HeightField& field, const ReliefRay& ray, int steps, double shift) {
+    const auto gap = [&](double t) { return 1 - t - field.height(ray.texel + t * ray.march); };
+    double before = 0, after = 0, gap_before = gap(0), gap_after = gap_before;
+    for (int i = 1; gap_after > 0 && after < 1; ++i) {
+        before = after, gap_before = gap_after;
+        after = std::min(1.0, (i - shift) / steps);
+        gap_after = gap(after);
+    }
+    const double t = gap_before <= 0 ? before : before + (after - before) * gap_before / (gap_before - gap_after);
+    return ray.texel + t * ray.march;
+}
+
+// The numbers of deck 11: 8 steps, in one frame, and as the mean of 16 frames with shifted samples.
+TEST(Parallax, SixteenFramesOfShiftedStepsHaveTheErrorOfDeck11) {
+    constexpr int steps = 8, frames = 16;
+    const auto with = [&](auto texel_of) {
+        return figures(fbm(), [&](const ReliefRay& ray) { return ParallaxHit{0, texel_of(ray), 0}; });
+    };
+    const Figures still = with([&](const ReliefRay& ray) { return shifted_march(fbm(), ray, steps, 0); });
+    const Figures many = with([&](const ReliefRay& ray) {
+        glm::dvec2 sum(0);
+        for (int i = 0; i < frames; ++i) sum += shifted_march(fbm(), ray, steps, (i + 0.5) / frames);
+        return sum / double(frames);
+    });
+    const Figures fine =
+        with([&](const ReliefRay& ray) { return march(fbm(), ray, steps * frames, Refinement::linear, 0).texel; });
+    EXPECT_NEAR(still.mean, 2.3, 0.05);
+    EXPECT_NEAR(100 * still.wrong, 26, 0.5) << "as LinearStepsHaveTheErrorRateOfHandout11 says";
+    EXPECT_NEAR(many.mean, 2.2, 0.05);
+    EXPECT_NEAR(100 * many.wrong, 25, 0.5);
+    EXPECT_NEAR(fine.mean, 0.052, 0.0005) << "the same number of samples, in one frame";
+    EXPECT_NEAR(100 * fine.wrong, 0.2, 0.05);
+}
+
 TEST(Parallax, OneTapMissesMostRays) {
     const Figures found = figures(fbm(), [&](const ReliefRay& ray) { return parallax_offset(fbm(), ray); });
     EXPECT_NEAR(found.wrong, 0.68, 0.15);
