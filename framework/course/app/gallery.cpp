@@ -297,8 +297,9 @@ private:
         return links;
     }
 
-    /// Returns the ways through the course whose labs are all on this site.
+    /// Returns the ways through the course, if all labs are on this site.
     pages::Value paths() const {
+        if (pages_.size() < registry().size()) return pages::rows({});
         std::vector<const Manifest*> labs;
         for (const pages::LabPage& page : pages_) labs.push_back(page.manifest);
         pages::List list;

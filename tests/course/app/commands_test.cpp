@@ -411,7 +411,7 @@ TEST_F(CourseTest, AProbeReportsAnUnwrittenTaskAndOtherChecksStillRun) {
 TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     const Result right = course().relief({"check", "2"});
     EXPECT_EQ(right.code, 0) << right.out << right.err;
-    EXPECT_TRUE(contains(right.out, " to 13 of 13 points")) << right.out;
+    EXPECT_TRUE(contains(right.out, "7.25 to 11 of 11 points, and 1 to 2 of 2 optional points")) << right.out;
     const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
     const Result wrong = course().relief({"check", "storage"});
@@ -556,7 +556,7 @@ TEST_F(CourseTest, TheCheckPageIsSelfContained) {
     EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
     EXPECT_FALSE(contains(page, "'a' <"));
     for (const char* part :
-         {"6.75 of 13 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
+         {"5.75 of 11 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
           "degrees and more", "./relief shot 02 --check &#39;paired bytes&#39; -o mine.png"})
         EXPECT_TRUE(contains(page, part)) << part;
     for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})

@@ -1019,12 +1019,12 @@ TEST(Grade, DownloadsAndNearNamesAreGradedAndExplained) {
         EXPECT_TRUE(contains(graded.err, note)) << note << "\n" << graded.err;
     const std::string csv = read_file(output / "results.csv");
     for (const char* name : {"gina", "lea", "jane", "kim", "stranger_7"})
-        EXPECT_TRUE(contains(csv, "\n" + std::string(name) + ",graded,5,18")) << name << "\n" << csv;
+        EXPECT_TRUE(contains(csv, "\n" + std::string(name) + ",graded,5,16")) << name << "\n" << csv;
     const std::string page = read_file(output / "students/gina.html"), mate = read_file(output / "students/lea.html");
     EXPECT_TRUE(contains(page, "&#39;task (1).glsl&#39; is graded as shaders/01_specular_highlights/task.glsl"));
     EXPECT_TRUE(contains(mate, "<h1><bdi>lea</bdi></h1>"));
     EXPECT_TRUE(contains(mate, "the submission &#39;gina&#39; counts for team red"));
-    EXPECT_TRUE(contains(mate, "5 of 18 points"));
+    EXPECT_TRUE(contains(mate, "5 of 16 points"));
     EXPECT_TRUE(contains(mate, "id=\"task-1.1\"")) << "the team's results";
     const std::string report = read_file(output / "report.html");
     EXPECT_FALSE(contains(report, "all passed")) << "lab 02 is missing";
@@ -1087,11 +1087,11 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(plain.out, "5/5")) << plain.out;
     const std::string verdict = read_file(output / "results/jane.json");
 
-    // Labs 01 and 02 have 5 and 13 points. The submissions have only the former.
+    // Labs 01 and 02 have 5 and 11 points, without the optional ones. The submissions have only the former.
     const Result first = with({"--class", (folder.path() / "class.toml").string()});
     EXPECT_EQ(first.code, 0) << first.err;
     EXPECT_TRUE(contains(first.out, "2 unchanged")) << first.out;
-    EXPECT_TRUE(contains(first.out, "4.5/18  late: 0.5 less")) << first.out;
+    EXPECT_TRUE(contains(first.out, "4.5/16  late: 0.5 less")) << first.out;
     EXPECT_TRUE(contains(first.err, "1 student of the roster handed nothing in: kim")) << first.err;
     EXPECT_TRUE(contains(first.err, "1 submission is not on the roster: bo")) << first.err;
     EXPECT_TRUE(contains(read_file(output / "canvas.csv"), "jane,,,jd,,4.5,0\n")) << read_file(output / "canvas.csv");
@@ -1100,24 +1100,24 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     folder.write("out/adjustments.csv", "student,task,points,note\njane,1.1,-1,\"see, me\"\nkim,1.1,2,on paper\n");
     const Result second = run(grade({"--resume", "-o", output.string()}));
     EXPECT_EQ(second.code, 0) << second.err;
-    EXPECT_TRUE(contains(second.out, "3.6/18  adjusted by -1  late: 0.4 less")) << second.out;
-    EXPECT_TRUE(contains(second.out, "2/18  nothing handed in  adjusted by 2")) << second.out;
+    EXPECT_TRUE(contains(second.out, "3.6/16  adjusted by -1  late: 0.4 less")) << second.out;
+    EXPECT_TRUE(contains(second.out, "2/16  nothing handed in  adjusted by 2")) << second.out;
     for (const char* kind : {"students", "submissions"}) {
         const std::string page = read_file(output / kind / "jane.html");
-        for (const char* part : {"3.6 of 18 points", "see, me", "5 by the checks", "4 with adjustments",
+        for (const char* part : {"3.6 of 16 points", "see, me", "5 by the checks", "4 with adjustments",
                                  "1 day late: 10 % less, 3.6 of 4", "nothing handed in"})
             EXPECT_TRUE(contains(page, part)) << kind << part;
         EXPECT_TRUE(contains(read_file(output / kind / "kim.html"), "on paper"));
     }
     EXPECT_TRUE(contains(read_file(output / "report.html"), "see, me"));
     const Result again = run(grade({"--resume", "-o", output.string(), "--fresh"}));
-    EXPECT_TRUE(contains(again.out, "3.6/18  adjusted by -1")) << again.out << "\nadjustments survive";
+    EXPECT_TRUE(contains(again.out, "3.6/16  adjusted by -1")) << again.out << "\nadjustments survive";
     EXPECT_TRUE(contains(read_file(output / "students/jane.html"), "see, me"));
     EXPECT_EQ(json::parse(read_file(output / "results/jane.json"))["labs"][0]["tasks"],
               json::parse(verdict)["labs"][0]["tasks"])
         << "results stay the grader's verdict";
     const Result merged = run({relief_program(), "grade", "--merge", output.string()});
-    EXPECT_TRUE(contains(merged.out, "3.6/18  adjusted by -1")) << merged.out << merged.err;
+    EXPECT_TRUE(contains(merged.out, "3.6/16  adjusted by -1")) << merged.out << merged.err;
 
     // A run that does not name a student says so and gives no mark, but keeps the student's page for the next run.
     const Result without_jane = run(grade({words[1], "-o", output.string()}));
@@ -1127,7 +1127,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     const Result with_jane = run(grade({words[0], words[1], "-o", output.string()}));
     EXPECT_TRUE(contains(with_jane.out, "2 unchanged")) << with_jane.out;
     const std::string page = read_file(output / "students/jane.html");
-    EXPECT_TRUE(contains(page, "3.6 of 18 points"));
+    EXPECT_TRUE(contains(page, "3.6 of 16 points"));
     EXPECT_FALSE(contains(page, "Nothing was handed in")) << "the page is that of her submission";
 
     // A mistake in the adjustments is reported before anything is graded.
