@@ -16,8 +16,8 @@ void print_error(std::string_view message);
 /// Prints "relief: message": information that is useful to a person and not needed by a script.
 void print_note(std::string_view message);
 
-/// Returns a line about a user's file, for print_note() and for pictures: "name:line: message". The name has no folders,
-/// because a picture has little room.
+/// Returns a line about a user's file, for print_note() and for pictures: "name:line: message". The name has no
+/// folders, because a picture has little room.
 std::string note_about(const Place& place, const std::string& message);
 
 /// Prints an event of the run: "[  12.3 ms] message", with the time since the process began. Prints nothing unless

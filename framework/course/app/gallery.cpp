@@ -299,7 +299,7 @@ private:
 
     /// Returns the ways through the course, if all labs are on this site.
     pages::Value paths() const {
-        if (pages_.size() < registry().size()) return pages::rows({});
+        if (pages_.size() < registry().size()) return pages::rows(pages::List());
         std::vector<const Manifest*> labs;
         for (const pages::LabPage& page : pages_) labs.push_back(page.manifest);
         pages::List list;

@@ -14,7 +14,7 @@ const site = JSON.parse(document.body.dataset.lab);
 const fetched = new Set();
 const status = text => { $("status").textContent = text; };
 
-let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, has_failed = false, does_not_compile = false;
+let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, does_not_compile = false;
 
 // --- The module ------------------------------------------------------------------------------------------------------
 
@@ -79,8 +79,12 @@ const complain = error => {
   editor?.mark(error?.file === site.task ? error.line : 1, error?.file === site.task ? error.message : "");
 };
 
+// An error stays until a later request succeeds. A draw that was requested before the error does not end it.
+let requests = 0, failed_at = Infinity;  // `failed_at`: the last request before the error on screen; infinite: no error
+const fail = error => { failed_at = requests; complain(error); };
+
 const draw = async () => {
-  const wanted = request(), canvas = $("canvas");
+  const wanted = request(), canvas = $("canvas"), request_drawn = requests;
   if (canvas.width !== wanted.width || canvas.height !== wanted.height)
     canvas.width = wanted.width, canvas.height = wanted.height;
   try {
@@ -89,26 +93,28 @@ const draw = async () => {
     else
       await call("draw", JSON.stringify(wanted));
     $("numbers").hidden = !wanted.probe;
-    if (has_failed) complain();
-    has_failed = does_not_compile = false;
+    if (failed_at < request_drawn) failed_at = Infinity, complain();
+    does_not_compile = false;
   } catch (error) {
-    has_failed = true;
     does_not_compile = error.file === site.task;
-    complain(error);
+    fail(error);
   }
 };
 
+const redraw = () => { ++requests; return draw(); };
+
 // Draws once for all changes since the last frame.
 let frame = null;
-const change = () => {
+const schedule = () => {
   dirty = true;
   frame ??= requestAnimationFrame(async now => {
     if (dirty) { dirty = false; await draw(); }
     frame = null;
     if (playing) moment += Math.min((now - (playing.last ?? now)) / 1000, 0.1), playing.last = now;
-    if (dirty || playing) change();
+    if (dirty || playing) schedule();
   });
 };
+const change = () => { ++requests; schedule(); };
 
 const camera_text = at =>
   [at.yaw, at.pitch, at.distance, ...at.target].map(value => +value.toFixed(3)).join(",");
@@ -228,8 +234,7 @@ const open_own = async (knob, files) => {
     await set_knob(knob.name, own_path(name));
     remember();
   } catch (error) {
-    complain(error);
-    has_failed = true;
+    fail(error);
   }
 };
 const opener_of = knob => {
@@ -264,8 +269,7 @@ const set_knob = async (name, value) => {
     show_knobs();
     change();
   } catch (error) {
-    complain(error);
-    has_failed = true;
+    fail(error);
   }
 };
 const make_knobs = () => {
@@ -368,7 +372,7 @@ const written = text => {
   clearTimeout(pause);
   pause = setTimeout(async () => {
     put(site.task, new TextEncoder().encode(text));
-    await draw();
+    await redraw();
     if (does_not_compile) $("points").textContent = "does not compile";
     else pause = setTimeout(check, 700);
   }, 400);
@@ -552,7 +556,7 @@ const survive_a_lost_context = () => {
     listen_to_view();
     survive_a_lost_context();
     for (const [name, value] of values) await set_knob(name, value);
-    await draw();
+    await redraw();
     $("check").disabled = false;
     status("restarted");
   });
@@ -563,7 +567,7 @@ const survive_a_lost_context = () => {
   try {
     await start();
     await set_up_page();
-    await draw();
+    await redraw();
     survive_a_lost_context();
     $("check").disabled = false;
     status(`ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);

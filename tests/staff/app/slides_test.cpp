@@ -359,8 +359,7 @@ std::set<std::string> labs_of_valid(const std::vector<Names>& commands) {
 }
 
 TEST(Slides, ThePageOfSourcesHasACommandOfEachLabAndNoWrongOne) {
-    const std::set<std::string> labs =
-        labs_of_valid(shots_in_tables(read_file(course_root() / "labs/staff/SHOWN.md")));
+    const std::set<std::string> labs = labs_of_valid(shots_in_tables(read_file(course_root() / "labs/staff/SHOWN.md")));
     for (const LabEntry& lab : registry()) {
         if (lab.number >= 20) continue;  // not one of the course's labs
         EXPECT_TRUE(labs.contains(lab.two_digits())) << lab.folder;

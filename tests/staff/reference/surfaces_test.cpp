@@ -1,11 +1,12 @@
 // Surfaces against their finite differences, and rays against surfaces and meshes.
-#include "framework/library/mesh/shapes.h"
 #include "framework/staff/reference/surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "framework/library/mesh/shapes.h"
 
 namespace relief {
 namespace {
