@@ -32,6 +32,16 @@ private:
     const Descriptor kept_ = os::copy_of(standard_error);
 };
 
+/// Stays within the buffer. After a seek beyond its end, which the table of a damaged OpenEXR file can ask for,
+/// OpenImageIO 2.4 reads behind it.
+class BoundedReader final : public OIIO::Filesystem::IOMemReader {
+public:
+    using OIIO::Filesystem::IOMemReader::IOMemReader;
+    bool seek(int64_t offset) override {
+        return IOMemReader::seek(std::clamp(offset, int64_t{0}, static_cast<int64_t>(size())));
+    }
+};
+
 Error damaged(const std::string& reason) { return Error("damaged: " + reason.substr(0, reason.find('\n'))); }
 
 }  // namespace
@@ -42,7 +52,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     OIIO::attribute("limits:channels", 4);
 
     const QuietStandardError quiet;
-    OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+    BoundedReader reader(bytes.data(), bytes.size());
     OIIO::ImageSpec as_stored;
     OIIO::Filesystem::IOProxy* const from_memory = &reader;
     as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &from_memory);
@@ -56,7 +66,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
         if (name.starts_with(note_prefix)) notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
     }
     Image image(spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::UINT8 ? 8 : 32);
-    const auto read = [&](OIIO::TypeDesc type, void* into) {
+    const auto read = [&](const OIIO::TypeDesc& type, void* into) {
         if (input->read_image(0, 0, 0, spec.nchannels, type, into)) return;
         const std::string reason = input->geterror();
         throw damaged(reason);
