@@ -58,8 +58,8 @@ public:
     }
 
     /// Returns the exact values for the bricks, independent of the method that draws them.
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const auto of = [&](const Frame& view) { return colonnade::truth(view, probe, strength_); };
+    std::optional<Image> truth(const Frame& frame) const override {
+        const auto of = [&](const Frame& view) { return colonnade::truth(view, strength_); };
         if (method_ != side_by_side) return of(frame);
         return truth_in_tiles(frame, tile_grid(frame.size, 2, 1), [&](const Frame& view, size_t) { return of(view); });
     }

@@ -10,6 +10,6 @@ namespace relief::colonnade {
 /// is no surface. Columns, balls and floor are exact shapes. Their reliefs are the height maps from which the normal
 /// maps were made, with central differences at texels, interpolated between them. Nothing is averaged over a pixel's
 /// footprint, so far away a picture cannot have these normals. `strength` multiplies the slopes.
-inline FromStaff<std::optional<Image>(const Frame& view, const Probe& probe, double strength)> truth;
+inline FromStaff<std::optional<Image>(const Frame& view, double strength)> truth;
 
 }  // namespace relief::colonnade

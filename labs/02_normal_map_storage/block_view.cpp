@@ -153,7 +153,7 @@ void BlockView::describe(glm::ivec2 size, const Tile& tile, const Panel& panel, 
     labels.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
 }
 
-Image BlockView::truth(const Frame& part, const Probe& probe, const Panel& panel) const {
+Image BlockView::truth(const Frame& part, const Panel& panel) const {
     const Image& normals = map();
     const bool is_field = panel.look == field;
     const glm::dvec3 shown = is_field ? quarter : whole;
@@ -171,7 +171,7 @@ Image BlockView::truth(const Frame& part, const Probe& probe, const Panel& panel
         const auto texel = [](double x) { return std::clamp(int(x * map_size), 0, map_size - 1); };
         const float* n = normals.pixel(texel(uv.x), map_size - 1 - texel(uv.y));
         const glm::dvec3 normal(n[0], n[1], n[2]);
-        if (probe.name == "normal") return glm::dvec4(sign.x * normal.x, sign.y * normal.y, normal.z, 0);
+        if (part.probe.name == "normal") return glm::dvec4(sign.x * normal.x, sign.y * normal.y, normal.z, 0);
         const bool has_two = panel.format == bc5 || panel.format == bc5_snorm || panel.format == bytes;
         const bool is_unsigned = panel.format <= rgb8 && panel.format != bc5_snorm;
         const glm::dvec3 codes = is_unsigned ? 127.5 * (normal + 1.0) : 127.0 * normal;

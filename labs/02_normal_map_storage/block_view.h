@@ -72,7 +72,7 @@ public:
 
     /// Returns the exact values of a probe: for `normal` the map's own normals, of which a mirrored tile turns x or y
     /// around; for `stored` its codes without rounding and without blocks. +infinity beside the map.
-    Image truth(const Frame& part, const Probe& probe, const Panel& panel) const;
+    Image truth(const Frame& part, const Panel& panel) const;
 
 private:
     struct Stored;

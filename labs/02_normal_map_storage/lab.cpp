@@ -54,10 +54,9 @@ public:
         block_view_.knobs(knobs);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t i) {
-            return shows_map() ? block_view_.truth(part, probe, panels()[i])
-                               : storage::truth(part, probe, format_of(i));
+            return shows_map() ? block_view_.truth(part, panels()[i]) : storage::truth(part, format_of(i));
         });
     }
 

@@ -8,6 +8,6 @@ namespace relief::storage {
 
 /// Returns the exact values of a probe: for `normal` the direction before it is stored; for `stored` its codes,
 /// computed in double precision. +infinity beside the sphere, and on its lower half if the format does not store z.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, int format)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, int format)> truth;
 
 }  // namespace relief::storage

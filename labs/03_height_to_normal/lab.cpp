@@ -47,10 +47,10 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         Image map;
-        if (probe.name == "normal" && has_known_slope()) map = exact_image();
-        if (probe.name == "height")
+        if (frame.probe.name == "normal" && has_known_slope()) map = exact_image();
+        if (frame.probe.name == "height")
             map = paint_.on(settings_.has_colors() ? heights_by_cpu(settings_.color_picture())
                                                    : settings_.stored_heights());
         if (map.values.empty()) return {};

@@ -49,9 +49,9 @@ public:
         knobs.toggle("show_map", show_map_, "show the map in a corner");
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return quilt::truth(part, probe, rate(), world_from_model());
+            return quilt::truth(part, rate(), world_from_model());
         });
     }
 

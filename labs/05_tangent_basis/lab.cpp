@@ -72,12 +72,11 @@ public:
                      KnobHelp("direction of the light around the shape").in("degrees"));
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         if (shape() == Shape::urn || is_own() || collapsed_) return {};
         const CoarseMesh mesh = coarse();
-        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return basis::truth(part, probe, mesh, shape(), shear_);
-        });
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t) { return basis::truth(part, mesh, shape(), shear_); });
     }
 
 private:

@@ -10,8 +10,6 @@ namespace relief::basis {
 /// Returns the exact values of a probe at the u and v that the mesh has in each pixel: for `tangent` the unit dP/du,
 /// for `dp_dv` the unit dP/dv, for `bitangent` the unit vector perpendicular to dP/du and to the normal. For `frame`
 /// they are the length of the tangent, its cosine with the normal, and the handedness.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
-                                      double shear)>
-    truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const CoarseMesh& mesh, Shape shape, double shear)> truth;
 
 }  // namespace relief::basis

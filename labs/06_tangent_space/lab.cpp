@@ -79,7 +79,7 @@ public:
         knobs.choice("trouble", trouble_, troubles.names, "faults in the tangents of the vertices");
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe&) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         if (shape() == frames::Shape::own) return {};
         if (normals_from_ == from_map && (map_ == own || has_model_maps())) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;

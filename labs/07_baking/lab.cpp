@@ -50,10 +50,10 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         if (settings_.is_own() && settings_.fine == Settings::itself) return {};  // nothing to compare with
         const std::vector<View> views = views_of(settings_, frame);
-        if (probe.name != "normal") return map_truth(frame, probe, views[0].sight.recipe);
+        if (frame.probe.name != "normal") return map_truth(frame, views[0].sight.recipe);
         std::vector<Tile> tiles;
         for (const View& view : views) tiles.push_back(view.tile);
         return truth_in_tiles(frame, tiles, [&](const Frame& part, size_t i) -> std::optional<Image> {

@@ -23,6 +23,6 @@ inline FromStaff<std::optional<Image>(const Frame& frame, const Sight& sight)> n
 ///  - `hit`: height of the hit above the coarse model, metres
 ///  - `cover`: number of triangles that cover the pixel
 /// Returns nothing for `stored` and `hit` if islands overlap.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Recipe& recipe)> map_truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Recipe& recipe)> map_truth;
 
 }  // namespace relief::baking

@@ -40,11 +40,11 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (settings_.view == Settings::lamp_cut) return LampCut::truth(frame.size, probe, settings_.lights());
-        if (settings_.view == Settings::levels) return MaskLevels::truth(frame.size, probe);
+    std::optional<Image> truth(const Frame& frame) const override {
+        if (settings_.view == Settings::lamp_cut) return LampCut::truth(frame.size, frame.probe, settings_.lights());
+        if (settings_.view == Settings::levels) return MaskLevels::truth(frame.size, frame.probe);
         if (settings_.file == Settings::own_file) return {};  // the truth knows the course's maps only
-        return materials::truth(frame_in(frame, whole(frame)), probe,
+        return materials::truth(frame_in(frame, whole(frame)),
                                 {drawn(read()).scene, read() == chosen, settings_.lights(), double(settings_.fence)});
     }
 

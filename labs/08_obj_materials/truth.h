@@ -26,7 +26,7 @@ struct Setting {
 ///  - `layers`: number of surfaces up to the first opaque one
 ///  - `coverage`: share of the pixel that the nearest masked surface covers, by 64 x 64 rays
 /// In a large picture a pixel has fewer rays: together they are at most 16 million.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Setting& setting)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Setting& setting)> truth;
 
 /// Returns the share of a mask that is covered, by its formula. `mask` is the name of an asset.
 inline FromStaff<std::optional<double>(const std::string& mask)> true_coverage;

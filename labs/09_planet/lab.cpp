@@ -42,10 +42,8 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        Frame asked = frame;
-        asked.probe = probe;
-        std::vector<View> views = views_of(settings_, asked);
+    std::optional<Image> truth(const Frame& frame) const override {
+        std::vector<View> views = views_of(settings_, frame);
         std::vector<Tile> tiles;
         for (View& view : views) {
             if (view.is_flat) cover_with_patches(view);  // limits the texels of its maps
@@ -54,7 +52,8 @@ public:
         return truth_in_tiles(frame, tiles, [&](const Frame& part, size_t i) -> std::optional<Image> {
             const View& view = views[i];
             const Sight sight{view.plan, view.seen_from, view.recipe.texels};
-            return view.is_flat ? flat_truth(part.size, probe, sight) : globe_truth(part.size, probe, sight);
+            return view.is_flat ? flat_truth(part.size, frame.probe, sight)
+                                : globe_truth(part.size, frame.probe, sight);
         });
     }
 
@@ -178,7 +177,8 @@ private:
         const SphereMapping mapping = view.plan.shape.mapping;
         const bool is_lat_long = mapping == SphereMapping::lat_long;
         const std::vector<Tile> tiles = tile_grid(frame.size, is_lat_long ? 2 : 3, is_lat_long ? 1 : 2);
-        const Define shown = frame.probe.name == "normal" && by_formula() ? Define("PROBE_formula") : frame.probe;
+        Probe shown = frame.probe;
+        if (shown.name == "normal" && by_formula()) shown.name = "formula";
         const bool has_bumps = view.lit_by == Settings::lit_by_bumps && !frame.probe;
         const Program& program = flat_.with({shown, mapping_define(mapping), has_bumps ? "BUMPS" : ""});
         glUseProgram(program);

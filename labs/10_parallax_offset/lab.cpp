@@ -56,8 +56,8 @@ public:
                      KnobHelp("distance of both from the world's origin").in("metres").only("view", {"eye"}));
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const auto exact = offsets::truth(probe, surface_);
+    std::optional<Image> truth(const Frame& frame) const override {
+        const auto exact = offsets::truth(frame.probe, surface_);
         if (!exact) return {};
         const std::vector<Sight> sights = sights_of(frame);
         std::vector<Tile> tiles;
@@ -205,7 +205,7 @@ private:
         constexpr glm::ivec2 sample{128, 128};
         const auto rays = [&](Sight sight, offsets::EyeBy by) {
             sight.eye = by;
-            sight.frame.probe = {"ray"};
+            sight.frame.probe = {"ray", MissingTask::told};
             return draw_numbers(sample, [&] { draw_relief(sight, ""); });
         };
         for (const Sight& sight : sights) {

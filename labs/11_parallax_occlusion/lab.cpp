@@ -67,8 +67,8 @@ public:
         surface_.knobs(knobs);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const auto exact = occlusion::truth(probe, surface_.mesh(), surface_.mapping(), surface_.heights());
+    std::optional<Image> truth(const Frame& frame) const override {
+        const auto exact = occlusion::truth(frame.probe, surface_.mesh(), surface_.mapping(), surface_.heights());
         if (!exact) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) { return exact(part); });
     }

@@ -73,10 +73,10 @@ public:
         surface_.knobs(knobs);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         const Sight sight{objects(), view_ == scene ? std::optional(Ball{}) : std::nullopt, outline_,
                           light_.direction<double>()};
-        const auto values = exact::truth(probe, sight);
+        const auto values = exact::truth(frame.probe, sight);
         if (!values) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
                               [&](const Frame& part, size_t) { return values(part); });
@@ -153,7 +153,7 @@ private:
     /// tasks are written.
     double measure(const Frame& whole, Method method) {
         Frame frame = frame_in(whole, {{0, 0}, {64, 64}});
-        frame.probe = {"steps"};
+        frame.probe = {"steps", MissingTask::told};
         const Image steps = draw_numbers(frame.size, [&] {
             for (const Object& object : objects()) draw_object(frame, object, method, 0);
         });

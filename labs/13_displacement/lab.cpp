@@ -73,9 +73,9 @@ public:
                      KnobHelp("height, gloss and occlusion from one texture").only("map", {"wall", "paving"}));
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return displacement::truth(part, probe, surface_, light_.direction<double>());
+            return displacement::truth(part, surface_, light_.direction<double>());
         });
     }
 

@@ -11,8 +11,7 @@ namespace relief::displacement {
 /// Returns the exact values of a probe. `depth`, `slope`, `normal` and `shadow` are for the displaced wall, at the
 /// first hit of each view ray with either side of the bilinear surface. `shadow` is 1 where a ray to the light hits
 /// nothing. `winding` is for closed surfaces. Returns nothing for other probes.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const DisplacedSurface& surface,
-                                      const glm::dvec3& to_light)>
+inline FromStaff<std::optional<Image>(const Frame& frame, const DisplacedSurface& surface, const glm::dvec3& to_light)>
     truth;
 
 }  // namespace relief::displacement

@@ -52,9 +52,9 @@ public:
         surface_.knobs(knobs);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         // Every line of sight crosses as many front faces as back faces of a closed surface, so all sums are 0.
-        if (probe.name != "winding" || !surface_.patches().is_closed) return {};
+        if (frame.probe.name != "winding" || !surface_.patches().is_closed) return {};
         return Image(frame.size.x, frame.size.y, 4);
     }
 
@@ -224,7 +224,7 @@ private:
     void mark_holes(glm::ivec2 size, const View& view) {
         const Image sums = draw_numbers(view.eye.size, [&] {
             DisplacedSurface::begin_winding();
-            draw_surface(view, "PROBE_winding");
+            draw_surface(view, Probe{"winding", MissingTask::told});
             DisplacedSurface::end_winding();
         });
         if (std::find(sums.values.begin(), sums.values.end(), not_written) != sums.values.end()) return;

@@ -38,9 +38,9 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         if (settings_.water.has_own()) return {};  // no formula
-        return ocean::truth(whole_picture(frame).frame, probe,
+        return ocean::truth(whole_picture(frame).frame,
                             {.layers = settings_.water.layers(),
                              .shininess = double(settings_.shininess),
                              .to_light = settings_.light.direction<double>(),

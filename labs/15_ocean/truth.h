@@ -36,6 +36,6 @@ struct Sea {
 ///  - `sigma`: variance of the slope along x, along z, and covariance
 ///  - `glitter`: share of the sun's light
 /// `sigma` and `glitter` are means of 32 x 32 places of the pixel's footprint on the sea.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Sea& sea)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Sea& sea)> truth;
 
 }  // namespace relief::ocean

@@ -77,9 +77,7 @@ public:
         light_.knobs(knobs, -90, 90);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        return court::truth(frame, probe, lighting());
-    }
+    std::optional<Image> truth(const Frame& frame) const override { return court::truth(frame, lighting()); }
 
 private:
     enum View { court_, terms, one_pixel };

@@ -49,7 +49,7 @@ struct Terms {
 ///  - `shadow`: 1 where the sun is visible, else 0
 ///  - `occlusion`: share of the sky that is visible, by 1024 rays
 ///  - `light`: linear light that leaves the place
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Lighting& lighting)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Lighting& lighting)> truth;
 /// Returns the exact terms at the place that a ray hits, or nothing if it hits no surface.
 inline FromStaff<std::optional<Terms>(const Ray& ray, const Lighting& lighting)> exact_terms;
 

@@ -65,9 +65,9 @@ public:
         light_.knobs(knobs);
     }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return budget::truth(probe, frame_budget(part), map_errors(), surface_.heights());
+            return budget::truth(frame_budget(part), map_errors(), surface_.heights());
         });
     }
 
@@ -203,7 +203,7 @@ private:
     Shares shares_of_methods(Frame frame) {
         const double smaller = double(measured.y) / std::max(1, frame.size.y);
         frame.size = measured;
-        frame.probe = {"method"};
+        frame.probe = {"method", MissingTask::told};
         const Image drawn = draw_numbers(measured, [&] { draw_wall(frame_budget(frame, smaller), false); });
         return shares_in(drawn);
     }

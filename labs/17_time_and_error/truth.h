@@ -10,8 +10,6 @@
 namespace relief::budget {
 
 /// Returns the exact values of the probes `uv`, `pixels`, `left`, `level` and `bumps`. Returns nothing for others.
-inline FromStaff<std::optional<Image>(const Probe& probe, const FrameBudget& budget, const MapErrors& maps,
-                                      const Image& heights)>
-    truth;
+inline FromStaff<std::optional<Image>(const FrameBudget& budget, const MapErrors& maps, const Image& heights)> truth;
 
 }  // namespace relief::budget

@@ -37,10 +37,10 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+    std::optional<Image> truth(const Frame& frame) const override {
         // With a stretch of 0 there are no normals where this bone is the only one with a weight.
-        if (probe.name == "normal" && settings_.stretch == 0) return {};
-        return moving_frames::truth(frame, probe, scene_of(settings_, settings_.body()));
+        if (frame.probe.name == "normal" && settings_.stretch == 0) return {};
+        return moving_frames::truth(frame, scene_of(settings_, settings_.body()));
     }
 
 private:

@@ -18,6 +18,6 @@ namespace relief::moving_frames {
 ///  - `uv`: coordinates at which the texture is read
 ///  - `material`: index of the material
 /// Returns nothing if an instance is degenerate.
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Scene& scene)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Scene& scene)> truth;
 
 }  // namespace relief::moving_frames

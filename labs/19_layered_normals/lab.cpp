@@ -48,9 +48,7 @@ public:
 
     void knobs(Knobs& knobs) override { settings_.knobs(knobs); }
 
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        return layered_normals::truth(frame, probe, settings_);
-    }
+    std::optional<Image> truth(const Frame& frame) const override { return layered_normals::truth(frame, settings_); }
 
 private:
     // ---- views

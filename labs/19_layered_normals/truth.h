@@ -17,6 +17,6 @@ namespace relief::layered_normals {
 ///  - `weights`, `planes`, `gradient`: of a solid's planes their weights, the sum of their gradients, and the gradient
 ///    of the relief
 ///  - `reads`: number of layers or planes that a pixel reads
-inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Settings& settings)> truth;
+inline FromStaff<std::optional<Image>(const Frame& frame, const Settings& settings)> truth;
 
 }  // namespace relief::layered_normals

@@ -10,7 +10,6 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/cube_texture.h"
-#include "framework/core/gl/missing_tasks.h"
 #include "framework/core/gl/texture.h"
 
 namespace relief {
@@ -248,9 +247,8 @@ Programs::~Programs() = default;
 const Program& Programs::with(std::initializer_list<Define> defines) const {
     std::vector<std::string> key;
     for (const Define& define : defines)
-        if (!define.text.empty()) key.push_back(define.text);
-    const auto is_probe = [](const std::string& define) { return define.starts_with("PROBE_"); };
-    if (missing_tasks_are_told() && std::any_of(key.begin(), key.end(), is_probe)) key.push_back("TELL_MISSING");
+        for (const std::string& text : {define.text, define.second})
+            if (!text.empty()) key.push_back(text);
     std::unique_ptr<Permutation>& permutation = permutations_[key];
     if (!permutation) {
         std::vector<fs::path> paths;

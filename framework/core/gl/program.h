@@ -71,11 +71,13 @@ public:
     ShaderRewriting& operator=(const ShaderRewriting&) = delete;
 };
 
-/// One preprocessor definition, "NAME" or "NAME VALUE". An empty text defines nothing.
+/// A preprocessor definition, "NAME" or "NAME VALUE", and maybe a second one that goes with it. An empty text defines
+/// nothing.
 struct Define {
-    std::string text;
+    std::string text, second;
     Define(const char* definition) : text(definition) {}
-    Define(std::string definition) : text(std::move(definition)) {}
+    Define(std::string definition, std::string with_it = {})
+        : text(std::move(definition)), second(std::move(with_it)) {}
 };
 
 class Permutation;

@@ -44,7 +44,7 @@ public:
     virtual void knobs(Knobs&) {}
     /// Returns the exact value of a probe at every pixel of this frame, in double precision, or nothing if there is no
     /// exact solution. Four channels, as the shader writes them; +infinity where there is no surface.
-    virtual std::optional<Image> truth(const Frame&, const Probe&) const { return {}; }
+    virtual std::optional<Image> truth(const Frame&) const { return {}; }
 };
 
 }  // namespace relief

@@ -166,7 +166,7 @@ Image render_shot(Lab& lab, const Shot& shot, bool light) {
 
 std::optional<Image> find_truth(const Lab& lab, const Shot& shot) {
     const Frame frame{0, shot.size, shot.time, Camera(shot.camera, aspect(shot.size)), shot.probe};
-    return lab.truth(frame, shot.probe);
+    return lab.truth(frame);
 }
 
 Image truth_of(const Lab& lab, const Shot& shot) {

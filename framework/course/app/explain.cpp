@@ -120,8 +120,7 @@ check::ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, 
         image = check::expectation(lab, *check);
         from = "expected by the check";
     } else if (shot.probe) {
-        image = make_lab(lab, shot)->truth(
-            {0, shot.size, shot.time, Camera(shot.camera, double(shot.size.x) / shot.size.y), shot.probe}, shot.probe);
+        image = find_truth(*make_lab(lab, shot), shot);
         from = "the exact value";
     }
     if (!image || image->width != shot.size.x || image->height != shot.size.y) return {};

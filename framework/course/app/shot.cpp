@@ -7,7 +7,6 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
-#include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/lab/words.h"
@@ -62,6 +61,7 @@ int take_shot(const ShotArguments& arguments) {
     if (!arguments.check.empty()) shot = manifest.view_of_check(arguments.check);
     Show show = what_to_show(arguments, shot.probe);
     if (show == Show::picture && shot.probe) show = Show::probe;
+    shot.probe.missing = MissingTask::told;
     if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // throws first if there is no such mistake
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
@@ -94,7 +94,6 @@ int take_shot(const ShotArguments& arguments) {
         return *std::move(found);
     };
 
-    const TellMissingTasks told;
     std::optional<WithoutWords> without_words;
     if (!arguments.words.empty()) without_words.emplace();
     std::vector<PictureWord> below;

@@ -14,7 +14,6 @@
 #include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/gl.h"
-#include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/hidden_checks.h"
@@ -94,7 +93,6 @@ CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& ch
         }
         run.was_tried = true;
         if (expected) run.said.expected = *expected;
-        const TellMissingTasks untold(false);
         run.drawn = draw_shot(labs.drawer_of(check.shot), check.shot);
         refuse_unusable(run.drawn, check.shot);
         if (const Shot* const other = expected ? nullptr : &manifest.check(check.against).shot)

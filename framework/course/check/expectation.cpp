@@ -7,7 +7,6 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
 #include "framework/course/check/kept_labs.h"
 
@@ -17,10 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Image draw(KeptLabs& labs, const Shot& shot) {
-    const TellMissingTasks untold(false);  // the check does not need the missing task
-    return render_shot(labs.drawer_of(shot), shot);
-}
+Image draw(KeptLabs& labs, const Shot& shot) { return render_shot(labs.drawer_of(shot), shot); }
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/core/context/glfw_window.h"
-#include "framework/core/gl/missing_tasks.h"
 #include "framework/course/window/menu_help.h"
 #include "framework/course/window/menu_keys.h"
 #include "framework/course/window/menu_lab.h"
@@ -44,7 +43,6 @@ public:
     }
 
     int run() {
-        const TellMissingTasks told;
         int frames = frames_of_an_event;
         while (!glfwWindowShouldClose(window_.handle())) {
             // Sleep until an event. The sleep ends regularly to look at files; unchanged files cause no drawing.

@@ -202,7 +202,7 @@ struct ErrorMap::Work {
                 to->paint_layer().set(std::move(paint));
             while (!cancelled && !exact && !probes.empty()) {
                 frame.probe = {probes.front().name};
-                exact = lab->truth(frame, frame.probe);
+                exact = lab->truth(frame);
                 if (!exact) probes.erase(probes.begin());
             }
             if (!cancelled && !exact) failure = sentence(no_truth(entry, settings));

@@ -50,6 +50,7 @@ void Stage::open(const LabEntry& entry, const Shot* start) {
         shot_.camera = manifest_.camera;
         defaults_ = describe_knobs(*entry.make());
         if (start) shot_ = *start, shot_.size = size;
+        shot_.probe.missing = MissingTask::told;
         lab_ = make_lab(entry, shot_);
     } catch (const Error& error) {
         fail(error);
@@ -58,6 +59,7 @@ void Stage::open(const LabEntry& entry, const Shot* start) {
 
 void Stage::show(Probe probe) {
     shot_.probe = std::move(probe);
+    shot_.probe.missing = MissingTask::told;
     values_.reset();
     changed();
     shown_ = 0;
@@ -88,7 +90,7 @@ void Stage::apply(const Shot& shot) {
             print_error(error.what());
         }
     shot_.camera = shot.camera;
-    if (!(shot.probe == shot_.probe)) show(shot.probe);
+    if (shot.probe.name != shot_.probe.name) show(shot.probe);
     changed();
 }
 

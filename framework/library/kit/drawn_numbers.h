@@ -12,7 +12,7 @@
 namespace relief {
 
 /// Calls `draw` with a framebuffer of its own and returns the result, four floats per pixel: +infinity where nothing is
-/// drawn, not_written where a task is missing. The viewport is the whole framebuffer. Restores framebuffer and
+/// drawn. The viewport is the whole framebuffer. Restores framebuffer and
 /// viewport.
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw);
 

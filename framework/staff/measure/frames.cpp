@@ -11,7 +11,7 @@ BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
     for (const ProbeInfo& probe : manifest.probes) {
         Shot shot{.size = {128, 128}, .time = 0, .camera = manifest.camera, .probe = {probe.name}, .set = {}};
         const auto lab = make_lab(entry, shot);
-        const auto truth = lab->truth({0, shot.size, 0, Camera(shot.camera, 1), shot.probe}, shot.probe);
+        const auto truth = find_truth(*lab, shot);
         if (!truth) continue;
         const ErrorSummary error = summarize(error_image(render_shot(*lab, shot), *truth, probe.error));
         return {error.mean, error.p99, error.largest, probe.unit};

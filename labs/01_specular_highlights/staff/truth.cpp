@@ -66,15 +66,15 @@ glm::dvec3 normal_of(const Sight& sight, double strength) {
     return from_tangent_space(direction_of(sight, strength), sight.point.normal, glm::dvec4(sight.point.du, 1));
 }
 
-std::optional<Image> exact_values(const Frame& view, const Probe& probe, double strength) {
+std::optional<Image> exact_values(const Frame& view, double strength) {
     const Relief bricks("bricks_height.png", 24), paving("paving_height.png", 12);
     const glm::dmat4 clip_from_world = view.camera.clip_from_world();
     return truth_of_rays(view, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const Sight sight = first_sight(drawn_part(clip_from_world, ray), bricks, paving);
         if (!sight.relief) return {};
-        if (probe.name == "direction") return glm::dvec4(direction_of(sight, strength), 0);
-        if (probe.name == "normal") return glm::dvec4(normal_of(sight, strength), 0);
-        if (probe.name == "uv") return glm::dvec4(sight.relief->texels(sight.uv), 0, 0);
+        if (view.probe.name == "direction") return glm::dvec4(direction_of(sight, strength), 0);
+        if (view.probe.name == "normal") return glm::dvec4(normal_of(sight, strength), 0);
+        if (view.probe.name == "uv") return glm::dvec4(sight.relief->texels(sight.uv), 0, 0);
         return {};
     });
 }

@@ -22,7 +22,7 @@ double number(NormalFormat format, uint16_t code) {
     return is_signed ? signed8(code) : code;
 }
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, int format) {
+std::optional<Image> exact_values(const Frame& frame, int format) {
     Image image(frame.size.x, frame.size.y, 4);
     std::fill(image.values.begin(), image.values.end(), no_surface);
     const NormalFormat codec = codecs[size_t(format)];
@@ -35,7 +35,7 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, int fo
             const NormalCode code = encode_normal(codec, normal);
             for (int c = 0; c < 3; ++c)
                 image.pixel(x, y)[c] =
-                    float(probe.name == "normal" ? normal[c] : number(codec, code.channel[size_t(c)]));
+                    float(frame.probe.name == "normal" ? normal[c] : number(codec, code.channel[size_t(c)]));
             image.pixel(x, y)[3] = 0;
         }
     return image;

@@ -8,8 +8,7 @@
 namespace relief::quilt {
 namespace {
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, double rate,
-                                  const glm::dmat4& world_from_model) {
+std::optional<Image> exact_values(const Frame& frame, double rate, const glm::dmat4& world_from_model) {
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const Ray local{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
@@ -24,7 +23,7 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, double
         const auto twist = [&](const glm::dvec3& p) {
             return glm::dmat3({c, 0, -s}, {rate * (p.z * c - p.x * s), 1, -rate * (p.x * c + p.z * s)}, {s, 0, c});
         };
-        if (probe.name == "moved")
+        if (frame.probe.name == "moved")
             return glm::dvec4(twist(base.position) * (glm::normalize(base.du) + glm::normalize(base.dv)), 0);
         const DisplacedPoint point = displace(base, {height(rest), slope(rest)}, scale);
         const glm::dvec3 normal = glm::normalize(glm::dmat3(world_from_model) *

@@ -30,8 +30,7 @@ std::optional<glm::dvec2> place_seen(const CoarseMesh& coarse, const Ray& ray) {
     return seen;
 }
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
-                                  double shear) {
+std::optional<Image> exact_values(const Frame& frame, const CoarseMesh& mesh, Shape shape, double shear) {
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const auto seen = place_seen(mesh, ray);
         if (!seen) return {};
@@ -39,11 +38,11 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         glm::dvec3 value(place.tangent);
         // The bitangent of the frame is perpendicular to dP/du. So is dP/dv on a surface of revolution, but not on a
         // sheared quad.
-        if (probe.name == "dp_dv" && shape == Shape::quad)
+        if (frame.probe.name == "dp_dv" && shape == Shape::quad)
             value = {0, 1, 0};
-        else if (probe.name == "bitangent" || probe.name == "dp_dv")
+        else if (frame.probe.name == "bitangent" || frame.probe.name == "dp_dv")
             value = place.tangent.w * glm::cross(place.normal, value);
-        if (probe.name == "frame") value = {1, 0, place.tangent.w};
+        if (frame.probe.name == "frame") value = {1, 0, place.tangent.w};
         return glm::dvec4(value, 0);
     });
 }

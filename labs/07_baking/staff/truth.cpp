@@ -64,9 +64,9 @@ std::optional<Image> exact_normals(const Frame& frame, const Sight& sight) {
     });
 }
 
-std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Recipe& recipe) {
+std::optional<Image> exact_map(const Frame& frame, const Recipe& recipe) {
     const Scene scene(recipe, false);
-    if (probe.name == "cover") {
+    if (frame.probe.name == "cover") {
         const std::vector<BakePlace> places = texel_places(scene.low, frame.size);
         return image_of_values(frame.size, [&](int x, int y) {
             return glm::dvec4(places[size_t(y) * size_t(frame.size.x) + size_t(x)].cover, 0, 0, 0);
@@ -82,7 +82,7 @@ std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Rec
         const int row = recipe.size - 1 - texel_of(frame.size.y - 1 - y, frame.size.y);
         const BakePlace& place = places[size_t(row) * size_t(recipe.size) + size_t(texel_of(x, frame.size.x))];
         if (place.cover == 0) return nothing;
-        if (probe.name == "stored") return glm::dvec4(stored(recipe, place, scene.baked_normal(place)), 0);
+        if (frame.probe.name == "stored") return glm::dvec4(stored(recipe, place, scene.baked_normal(place)), 0);
         const auto met = scene.met_from(place);
         return met ? glm::dvec4(met->height, 0, 0, 0) : nothing;
     });

@@ -363,9 +363,9 @@ private:
     std::map<const Piece*, const ExactMap*> colors_, highlights_, bumps_;
 };
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Setting& setting) {
+std::optional<Image> exact_values(const Frame& frame, const Setting& setting) {
     const ExactGarden exact(setting, frame);
-    return image_of_values(frame.size, [&](int x, int y) { return exact.value(x, y, probe.name); });
+    return image_of_values(frame.size, [&](int x, int y) { return exact.value(x, y, frame.probe.name); });
 }
 
 std::optional<double> coverage_of(const std::string& mask) {

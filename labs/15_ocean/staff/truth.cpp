@@ -224,9 +224,9 @@ private:
     double highest_ = 0, steepest_ = 0;
 };
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sea& sea) {
+std::optional<Image> exact_values(const Frame& frame, const Sea& sea) {
     const ExactSea exact(sea, frame);
-    return truth_of_rays(frame, [&](const Ray& ray) { return exact.value(ray, probe.name); });
+    return truth_of_rays(frame, [&](const Ray& ray) { return exact.value(ray, frame.probe.name); });
 }
 
 const decltype(truth)::Provided provided(truth, exact_values);

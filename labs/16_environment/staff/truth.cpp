@@ -392,11 +392,11 @@ private:
     const Lighting& lighting_;
 };
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Lighting& lighting) {
+std::optional<Image> exact_values(const Frame& frame, const Lighting& lighting) {
     const Exact exact(lighting);
     const glm::dmat4 clip_from_world = frame.camera.clip_from_world();
-    return truth_of_rays(frame,
-                         [&](const Ray& ray) { return exact.value(drawn_part(clip_from_world, ray), probe.name); });
+    return truth_of_rays(
+        frame, [&](const Ray& ray) { return exact.value(drawn_part(clip_from_world, ray), frame.probe.name); });
 }
 
 std::optional<Terms> terms_of_ray(const Ray& ray, const Lighting& lighting) { return Exact(lighting).terms(ray); }

@@ -11,8 +11,8 @@
 namespace relief::budget {
 namespace {
 
-std::optional<Image> exact_values(const Probe& probe, const FrameBudget& budget, const MapErrors& maps,
-                                  const Image& heights) {
+std::optional<Image> exact_values(const FrameBudget& budget, const MapErrors& maps, const Image& heights) {
+    const Probe& probe = budget.frame.probe;
     const bool uv = probe.name == "uv", pixels = probe.name == "pixels", left = probe.name == "left";
     const bool level = probe.name == "level", bumps = probe.name == "bumps";
     if (!uv && !pixels && !left && !level && !bumps) return {};

@@ -78,12 +78,12 @@ struct Drawn {
     std::vector<std::pair<const Instance*, glm::dmat4>> instances;  ///< with model_from_world
 };
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Scene& scene) {
+std::optional<Image> exact_values(const Frame& frame, const Scene& scene) {
     const ExactScene exact(scene);
     if (scene.unrolled)
         return image_of_values(frame.size, [&](int x, int y) {
             const glm::dvec2 uv((x + 0.5) / frame.size.x, 1 - (y + 0.5) / frame.size.y);
-            return exact.value(scene.instances[0], uv, probe.name);
+            return exact.value(scene.instances[0], uv, frame.probe.name);
         });
     std::array<Drawn, 4> drawn;  // fine, fine mirrored, coarse, coarse mirrored
     for (size_t i = 0; i < scene.instances.size(); ++i) {
@@ -113,7 +113,7 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
                           glm::dvec2(kind.mesh.vertices[kind.mesh.indices[hit->triangle * 3 + corner]].uv);
             }
         if (!seen) return {};
-        return exact.value(*seen, uv, probe.name);
+        return exact.value(*seen, uv, frame.probe.name);
     });
 }
 

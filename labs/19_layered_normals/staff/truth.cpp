@@ -171,20 +171,20 @@ std::optional<glm::dvec4> solid_value(const glm::dvec3& place, const glm::dvec3&
     return {};
 }
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Settings& settings) {
+std::optional<Image> exact_values(const Frame& frame, const Settings& settings) {
     const Frame seen = settings.seen(frame);
-    if (settings.shows_solid(probe)) {
+    if (settings.shows_solid(frame.probe)) {
         const Mesh mesh = solid_mesh(settings.shape);
         const TriangleTree tree = build_tree(mesh);
         return truth_of_rays(seen, [&](const Ray& ray) -> std::optional<glm::dvec4> {
             const auto hit = first_hit(tree, mesh, ray, 1e9);
             if (!hit) return {};
             const Vertex& corner = mesh.vertices[mesh.indices[hit->triangle * 3]];
-            return solid_value(ray.origin + hit->t * ray.direction, corner.normal, probe.name, settings);
+            return solid_value(ray.origin + hit->t * ray.direction, corner.normal, frame.probe.name, settings);
         });
     }
     const Wall wall(seen, settings);
-    return truth_of_rays(seen, [&](const Ray& ray) { return wall.value(ray, probe.name); });
+    return truth_of_rays(seen, [&](const Ray& ray) { return wall.value(ray, frame.probe.name); });
 }
 
 const decltype(truth)::Provided provided(truth, exact_values);
