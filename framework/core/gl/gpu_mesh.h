@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "framework/core/base/mesh.h"
-#include "framework/core/gl/object.h"
+#include "framework/core/gl/vertex_stream.h"
 
 namespace relief {
 
@@ -16,13 +16,15 @@ public:
 
     GLuint layout() const { return uploaded().layout; }  ///< vertex array, including the index buffer
     GLsizei count() const { return uploaded().count; }   ///< number of indices, GL_UNSIGNED_INT
-    GLsizei vertices() const { return uploaded().vertex_count; }
+    GLsizei vertices() const { return uploaded().vertices.count(); }
 
 private:
     struct Uploaded {
+        Uploaded();
         VertexArrayName layout;
-        BufferName vertices, indices;
-        GLsizei count = 0, vertex_count = 0;
+        VertexStream vertices;
+        BufferName indices;
+        GLsizei count = 0;
     };
     const Uploaded& uploaded() const;
 

@@ -1,4 +1,4 @@
-// Per-vertex or per-instance data in addition to the four attributes of a mesh.
+// Data of each vertex, or of each instance, on the GPU.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ struct StreamAttribute {
     size_t offset;  ///< bytes from the start of an element
 };
 
-/// Elements that a vertex array reads in addition to its mesh: one per vertex, or one per `divisor` instances if
-/// `divisor` is not 0. The buffer is created by the first fill(). Locations by convention: 4 bones, 5 bone weights, 6
-/// and up per-instance data.
+/// Elements that a vertex array reads: one per vertex, or one per `divisor` instances if `divisor` is not 0. The buffer
+/// is created by the first fill(). Locations by convention: 0 to 3 as of GpuMesh, 4 bones, 5 bone weights, 6 and up
+/// per-instance data.
 class VertexStream {
 public:
     VertexStream(std::vector<StreamAttribute> attributes, GLuint divisor = 0)

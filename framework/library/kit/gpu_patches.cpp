@@ -13,31 +13,23 @@ void draw_patches(int patches, int control_points, int first_vertex) {
                      std::min(together, patches - begin) * control_points);
 }
 
+GpuPatches::Uploaded::Uploaded()
+    : points({{0, 3, GL_FLOAT, offsetof(PatchCorner, vertex) + offsetof(Vertex, position)},
+              {1, 3, GL_FLOAT, offsetof(PatchCorner, vertex) + offsetof(Vertex, normal)},
+              {2, 4, GL_FLOAT, offsetof(PatchCorner, vertex) + offsetof(Vertex, tangent)},
+              {3, 2, GL_FLOAT, offsetof(PatchCorner, vertex) + offsetof(Vertex, uv)},
+              {4, 3, GL_FLOAT, offsetof(PatchCorner, direction)},
+              {5, 2, GL_FLOAT, offsetof(PatchCorner, height_uv)},
+              {6, 4, GL_FLOAT, offsetof(PatchCorner, edge_uv)},
+              {7, 2, GL_FLOAT, offsetof(PatchCorner, spacing)}}) {}
+
 const GpuPatches::Uploaded& GpuPatches::uploaded() const {
     if (uploaded_) return *uploaded_;
     const PatchMesh mesh = make_();
     Uploaded result;
-    GLint bound = 0;  // restored below: another mesh may be bound
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
+    result.points.fill(std::span<const PatchCorner>(mesh.points));
+    result.points.attach(result.layout);
     result.patches = int(mesh.patches()), result.control_points = mesh.corners;
-    glBindVertexArray(result.layout);
-    glBindBuffer(GL_ARRAY_BUFFER, result.points);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.points.size() * sizeof(PatchCorner)), mesh.points.data(),
-                 GL_STATIC_DRAW);
-    const auto attribute = [](GLuint location, GLint size, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(PatchCorner),
-                              reinterpret_cast<const void*>(offset));
-    };
-    attribute(0, 3, offsetof(PatchCorner, vertex) + offsetof(Vertex, position));
-    attribute(1, 3, offsetof(PatchCorner, vertex) + offsetof(Vertex, normal));
-    attribute(2, 4, offsetof(PatchCorner, vertex) + offsetof(Vertex, tangent));
-    attribute(3, 2, offsetof(PatchCorner, vertex) + offsetof(Vertex, uv));
-    attribute(4, 3, offsetof(PatchCorner, direction));
-    attribute(5, 2, offsetof(PatchCorner, height_uv));
-    attribute(6, 4, offsetof(PatchCorner, edge_uv));
-    attribute(7, 2, offsetof(PatchCorner, spacing));
-    glBindVertexArray(GLuint(bound));
     return uploaded_.emplace(std::move(result));
 }
 

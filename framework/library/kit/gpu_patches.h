@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "framework/core/gl/object.h"
+#include "framework/core/gl/vertex_stream.h"
 #include "framework/library/mesh/patches.h"
 
 namespace relief {
@@ -29,8 +29,9 @@ public:
 
 private:
     struct Uploaded {
+        Uploaded();
         VertexArrayName layout;
-        BufferName points;
+        VertexStream points;
         int patches = 0, control_points = 0;
     };
     const Uploaded& uploaded() const;
