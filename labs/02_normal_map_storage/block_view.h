@@ -60,10 +60,16 @@ public:
 
     void knobs(Knobs& knobs) {
         knobs.group("Blocks");
-        knobs.choice("map", map_, map_names, "normal map of every view on squares");
-        knobs.choice("repeat", repeat_, repeats.names,
-                     "a map in blocks once, or 2 x 2 tiles of it, each like the other or mirrored at its border");
-        knobs.toggle("borders", borders_, "lines between the blocks of 4 x 4 texels, over the error");
+        knobs.choice("map", map_, map_names,
+                     KnobHelp("normal map of every view on squares")
+                         .only("view", {"one", "blocks", "snorm", "channels", "field"}));
+        knobs.choice(
+            "repeat", repeat_, repeats.names,
+            KnobHelp("a map in blocks once, or 2 x 2 tiles of it, each like the other or mirrored at its border")
+                .only("view", {"one", "blocks", "snorm", "channels"}));
+        knobs.toggle("borders", borders_,
+                     KnobHelp("lines between the blocks of 4 x 4 texels, over the error")
+                         .only("view", {"one", "blocks", "snorm"}));
     }
 
     /// Draws the map into a tile of frame.target, with captions in `labels`. `part` is the frame of the tile. A lit map

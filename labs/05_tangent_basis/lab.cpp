@@ -65,7 +65,8 @@ public:
         knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
         knobs.steps("rows", rows_, 2, 64, "cells of the mesh from bottom to top");
         knobs.slider("jitter", jitter_, 0, 1, "random shift of the vertices");
-        knobs.slider("shear", shear_, -1, 1, "shear of the quad's texture: how much v grows along x");
+        knobs.slider("shear", shear_, -1, 1,
+                     KnobHelp("shear of its texture: how much v grows along x").only("shape", {"quad"}));
         knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
         knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180,

@@ -51,14 +51,18 @@ public:
         knobs.choice("view", view_, views, "methods side by side, or one picture by the knobs");
         knobs.choice("show", show_, shows, KnobHelp("the picture, the error, or both").only("view", {"compare"}));
         knobs.group("March");
-        knobs.choice("count", chosen_.count, counts.names, "rule for the number of steps");
-        knobs.steps("steps", steps_, 1, 512, "steps of the march; with count = angle: of a level ray");
+        knobs.choice("count", chosen_.count, counts.names,
+                     KnobHelp("rule for the number of steps").only("view", {"one"}));
+        knobs.steps("steps", steps_, 1, 512,
+                    KnobHelp("steps of the march; with count = angle: of a level ray").only("view", {"one"}));
         knobs.steps("least_steps", least_steps_, 1, 512,
                     KnobHelp("steps of a ray straight down").only("count", {"angle"}));
         knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8,
                      KnobHelp("texels of the mip level per step").only("count", {"texel"}));
-        knobs.choice("refine", chosen_.refine, refinements, "how the hit is found between the last two samples");
-        knobs.steps("rounds", chosen_.rounds, 0, 8, "rounds of bisection, secant or illinois");
+        knobs.choice("refine", chosen_.refine, refinements,
+                     KnobHelp("how the hit is found between the last two samples").only("view", {"one"}));
+        knobs.steps("rounds", chosen_.rounds, 0, 8,
+                    KnobHelp("rounds").only("refine", {"bisection", "secant", "illinois"}));
         knobs.choice("mip", mip_, mips, "mip level that the march reads");
         knobs.choice("lookup", lookup_, lookups, "implicit: texture() chooses the level, a common mistake");
         knobs.toggle("skip", skip_, "skip marches that are too short to see, or over level ground");

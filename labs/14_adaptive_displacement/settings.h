@@ -71,8 +71,10 @@ struct Settings {
         knobs.choice("cull", cull, culls.names,
                      "cull no patches, those outside of the picture, or also those that face away");
         knobs.toggle("fade", fade, "let the displacement fade into the normal map");
-        knobs.slider("fade_begin", fade_begin, 0, 64, "where the fade begins, metres from the eye");
-        knobs.slider("fade_end", fade_end, 0, 64, "where the fade ends, metres from the eye");
+        knobs.slider("fade_begin", fade_begin, 0, 64,
+                     KnobHelp("where the fade begins, metres from the eye").only("fade", {"on"}));
+        knobs.slider("fade_end", fade_end, 0, 64,
+                     KnobHelp("where the fade ends, metres from the eye").only("fade", {"on"}));
         light.knobs(knobs);
         knobs.choice("shadow", shadow, shadows.names,
                      "patches that cast a shadow on the surface: none, all, or only those that are not culled");

@@ -67,7 +67,8 @@ public:
         knobs.group("Scene");
         knobs.steps("lamps", lamps_, 1, 3, "the sun, and up to two lanterns");
         knobs.toggle("displace", stage_.displace, "the court's floor rises above its puddles");
-        knobs.slider("tilt", stage_.tilt, -89, 89, KnobHelp("how steep the groove or the plane is").in("degrees"));
+        knobs.slider("tilt", stage_.tilt, -89, 89,
+                     KnobHelp("how steep it is").in("degrees").only("scene", {"groove", "plane", "board"}));
         knobs.choice("level", level_, levels.names, "mip level of the surfaces' maps");
         knobs.group("One pixel");
         knobs.slider("pixel_x", pixel_.place.x, 0, 1,

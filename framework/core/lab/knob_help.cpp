@@ -16,12 +16,15 @@ KnobHelp&& KnobHelp::only(const char* other_knob, std::vector<std::string> its_v
     return std::move(*this);
 }
 
-std::string KnobHelp::line() const {
-    std::string line;
+std::string KnobHelp::condition() const {
+    std::string condition;
     for (size_t i = 0; i < values.size(); ++i)
-        line += (i == 0 ? "for " + knob + " = " : i + 1 == values.size() ? " and " : ", ") + values[i];
-    if (!values.empty()) line += ": ";
-    line += text;
+        condition += (i == 0 ? knob + " = " : i + 1 == values.size() ? " and " : ", ") + values[i];
+    return condition;
+}
+
+std::string KnobHelp::line() const {
+    std::string line = values.empty() ? text : "for " + condition() + ": " + text;
     if (!unit.empty()) line += ", " + unit;
     return line;
 }

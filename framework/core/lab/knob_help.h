@@ -19,6 +19,8 @@ struct KnobHelp {
     KnobHelp&& in(const char* name_of_unit) &&;
     KnobHelp&& only(const char* other_knob, std::vector<std::string> its_values) &&;
 
+    /// Returns "method = steep", or "" if the knob always has an effect.
+    std::string condition() const;
     /// Returns "for method = steep: depth of a layer, metres".
     std::string line() const;
     /// Returns the line as a sentence: "For method = steep: depth of a layer, metres."

@@ -144,21 +144,43 @@ void Knobs::choice_or_file(const char* name, int& value, OwnFile& own, std::span
     choice(name, value, all, help);
 }
 
+KnobHelp KnobsOnly::with_condition(const KnobHelp& help) const {
+    return help.knob.empty() ? KnobHelp(help).only(knob_, values_) : help;
+}
+void KnobsOnly::slider(const char* name, float& value, float low, float high, const KnobHelp& help) {
+    to_.slider(name, value, low, high, with_condition(help));
+}
+void KnobsOnly::steps(const char* name, int& value, int low, int high, const KnobHelp& help) {
+    to_.steps(name, value, low, high, with_condition(help));
+}
+void KnobsOnly::toggle(const char* name, bool& value, const KnobHelp& help) {
+    to_.toggle(name, value, with_condition(help));
+}
+void KnobsOnly::choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) {
+    to_.choice(name, value, names, with_condition(help));
+}
+void KnobsOnly::choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                               const KnobHelp& help) {
+    to_.choice_or_file(name, value, own, names, with_condition(help));
+}
+
 std::vector<KnobText> describe_knobs(Lab& lab) {
     Describe describe;
     lab.knobs(describe);
     return std::move(describe.found);
 }
 
-bool is_ignored(const std::string& name, std::span<const KnobText> knobs) {
+std::string unmet_condition(const std::string& name, std::span<const KnobText> knobs) {
     const auto find = [&](const std::string& wanted) {
         return std::find_if(knobs.begin(), knobs.end(), [&](const KnobText& knob) { return knob.name == wanted; });
     };
     const auto self = find(name);
-    if (self == knobs.end()) return false;
+    if (self == knobs.end()) return {};
     const auto other = find(self->help.knob);
+    if (other == knobs.end()) return {};
     const std::vector<std::string>& values = self->help.values;
-    return other != knobs.end() && std::find(values.begin(), values.end(), other->value) == values.end();
+    const bool is_met = std::find(values.begin(), values.end(), other->value) != values.end();
+    return is_met ? unmet_condition(other->name, knobs) : self->help.condition();
 }
 
 std::vector<std::string> knob_values(Lab& lab) {

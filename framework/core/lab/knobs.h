@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/core/lab/knob_help.h"
@@ -28,6 +29,29 @@ public:
                                 const KnobHelp& help);
 };
 
+/// Passes knobs on, such as those of a part that only some views draw, with a condition: they have an effect only while
+/// the knob `knob` has one of `values`. A knob with a condition of its own keeps that one.
+class KnobsOnly final : public Knobs {
+public:
+    KnobsOnly(Knobs& to, const char* knob, std::vector<std::string> values)
+        : to_(to), knob_(knob), values_(std::move(values)) {}
+
+    void group(const char* heading) override { to_.group(heading); }
+    void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override;
+    void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override;
+    void toggle(const char* name, bool& value, const KnobHelp& help) override;
+    void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) override;
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const KnobHelp& help) override;
+
+private:
+    KnobHelp with_condition(const KnobHelp& help) const;
+
+    Knobs& to_;
+    const char* knob_;
+    std::vector<std::string> values_;
+};
+
 /// A knob as text.
 struct KnobText {
     std::string name, value, range;
@@ -39,8 +63,13 @@ class Lab;
 /// Returns all knobs of a lab with their current values.
 std::vector<KnobText> describe_knobs(Lab& lab);
 
-/// Returns whether the knob `name` has no effect at the current values of `knobs`, according to its help.
-bool is_ignored(const std::string& name, std::span<const KnobText> knobs);
+/// Returns the condition, such as "view = one", without which the knob `name` has no effect at the current values of
+/// `knobs`, according to its help; "" if it has an effect. A knob whose condition names a knob without effect has none.
+/// Conditions must not form a circle.
+std::string unmet_condition(const std::string& name, std::span<const KnobText> knobs);
+inline bool is_ignored(const std::string& name, std::span<const KnobText> knobs) {
+    return !unmet_condition(name, knobs).empty();
+}
 
 /// Returns the current values of all knobs, in the same order.
 std::vector<std::string> knob_values(Lab& lab);

@@ -19,9 +19,10 @@
 namespace relief {
 
 /// The input of a lab for one frame. Draw into `target`; framebuffer 0 does not exist everywhere.
-/// The state of fragment operations (tests, masks, blending, culling, depth range) has GL's defaults, with two
+/// The state of fragment operations (tests, masks, blending, culling, offsets, depth range) has GL's defaults, with two
 /// exceptions: the depth test is on, and the clear colour is the background (the picture's, or +infinity for a probe).
-/// Binding the viewport, textures and buffers is up to the lab.
+/// Setting the viewport, the scissor box and the sample mask, and binding framebuffer, textures and buffers, is up to
+/// the lab. Making a Target or the like binds another framebuffer.
 struct Frame {
     GLuint target;
     glm::ivec2 size;  ///< pixels
@@ -42,8 +43,10 @@ public:
     virtual ~Lab() = default;
     virtual void draw(const Frame& frame) = 0;
     virtual void knobs(Knobs&) {}
-    /// Returns the exact value of a probe at every pixel of this frame, in double precision, or nothing if there is no
-    /// exact solution. Four channels, as the shader writes them; +infinity where there is no surface.
+    /// Returns the exact value of the frame's probe at every pixel, in double precision, or nothing if there is no
+    /// exact solution. Four channels, as the shader writes them; +infinity where there is no surface. Needs no context:
+    /// the window calls it on another thread, for a lab of its own, and parallel_each() may end it by throwing
+    /// Cancelled.
     virtual std::optional<Image> truth(const Frame&) const { return {}; }
 };
 

@@ -37,6 +37,12 @@ void restore_state() {
     glDepthRange(0, 1);
     glClearDepth(1);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilMask(~0u);
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glClearStencil(0);
+    glPolygonOffset(0, 0);
+    glBlendColor(0, 0, 0, 0);
     glBlendFunc(GL_ONE, GL_ZERO);
     glBlendEquation(GL_FUNC_ADD);
     glCullFace(GL_BACK);

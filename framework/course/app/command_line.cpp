@@ -131,7 +131,8 @@ public:
         if (!check_.empty()) shot = manifest.view_of_check(check_);
         shot_.apply(shot);
         if (!probe_.empty()) shot.probe.name = manifest.probe(probe_).name;
-        make_lab(lab, shot);  // rejects a wrong knob or value before a window opens
+        const auto made = make_lab(lab, shot);  // rejects a wrong knob or value before a window opens
+        shot_.note_knobs_without_effect(*made);
         return run_menu({lab.folder, shot, error_map_, check_});
     }
 

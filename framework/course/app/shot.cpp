@@ -77,6 +77,7 @@ int take_shot(const ShotArguments& arguments) {
     const ContextChoice choice = context_kind(arguments.context);
     std::unique_ptr<Context> context;  // must outlive the lab, which owns GL objects
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
+    arguments.options.note_knobs_without_effect(*lab);
     print_event("lab: " + entry.folder);
     const auto draw = [&](bool light) {
         if (!arguments.mistake.empty())

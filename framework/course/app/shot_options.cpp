@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 
 namespace relief::app {
@@ -64,6 +65,15 @@ void ShotOptions::options(CommandOptions& options) {
 void ShotOptions::apply(Shot& shot) const {
     if (!camera_.empty()) parse_camera(camera_, shot.camera);
     for (const std::string& setting : set_) shot.set.push_back(parse_setting(setting));
+}
+
+void ShotOptions::note_knobs_without_effect(Lab& lab) const {
+    const std::vector<KnobText> knobs = describe_knobs(lab);
+    for (const std::string& setting : set_) {
+        const std::string name = parse_setting(setting).first;
+        if (const std::string condition = unmet_condition(name, knobs); !condition.empty())
+            print_note(fmt::format("{} has no effect here, only for {}", name, condition));
+    }
 }
 
 }  // namespace relief::app

@@ -17,6 +17,8 @@ public:
     void options(CommandOptions& options);
     /// Applies the given options to the shot. Throws UsageError.
     void apply(Shot& shot) const;
+    /// Prints a note for each knob of --set that has no effect in this lab as it is set now.
+    void note_knobs_without_effect(Lab& lab) const;
 
 private:
     std::vector<std::string> set_;

@@ -280,10 +280,10 @@ std::string to_prairielearn(const Standing& standing, const std::vector<ExportPi
                      {"message", "The grader's machine failed. This is not your fault and costs you no points."}});
     if (standing.mark && !standing.mark->problem.empty())
         return dump({{"gradable", false}, {"format_errors", {printable(standing.mark->problem, 1000)}}});
-    const double share = standing.of() > 0 ? standing.points() / standing.of() : 0;
+    const double of_all = standing.of() > 0 ? standing.points() / standing.of() : 0;
     ordered_json json = {
         {"gradable", true},
-        {"score", std::clamp(share, 0.0, 1.0)},
+        {"score", std::clamp(of_all, 0.0, 1.0)},
         {"message", fmt::format("{} of {} points", check::points_text(standing.points()), standing.of())},
         {"output", remarks_text(standing)},
         {"tests", ordered_json::array()}};
@@ -291,12 +291,12 @@ std::string to_prairielearn(const Standing& standing, const std::vector<ExportPi
         for (const LabMark& lab : standing.mark->labs)
             for (const check::TaskVerdict& task : lab.tasks)
                 for (const check::Verdict& check : task.checks) {
-                    const double points = double(task.of) / double(task.checks.size());
+                    const check::TaskVerdict::Share share = task.share_of(check);
                     json["tests"].push_back(
                         {{"name",
                           fmt::format("{} {}: {}", task.id, task.title, check.hidden ? "a hidden check" : check.name)},
-                         {"points", check.outcome == check::Outcome::passed ? points : 0.0},
-                         {"max_points", points},
+                         {"points", share.points},
+                         {"max_points", share.of},
                          {"message", std::string(name_of(check.outcome))},
                          {"output", printable_lines(found_for_students(check) + look_at(check), 4000)}});
                     for (const ExportPicture* one : pictures_of(lab, task, check, pictures))

@@ -1,5 +1,5 @@
 // Exports marks in the formats of other programs. Every export applies the class file to the grader's verdict. Only the
-// JUnit export contains the verdict itself, check by check. tests/staff/grade/exports_test.cpp tests each export
+// JUnit export contains the verdict itself. tests/staff/class/exports_test.cpp tests each export
 // against the rules of its format.
 #pragma once
 

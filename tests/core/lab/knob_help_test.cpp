@@ -2,6 +2,7 @@
 #include "framework/core/lab/knob_help.h"
 
 #include "framework/core/lab/knobs.h"
+#include "framework/core/lab/lab.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -24,6 +25,27 @@ TEST(KnobHelp, AUnitFollowsANumberInItsShortForm) {
     EXPECT_EQ(KnobHelp("steps").unit_after_number(), "");
 }
 
+/// Declares a knob with a condition of its own and one without, both of a part that one view draws.
+class TwoKnobs final : public Lab {
+public:
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override {
+        KnobsOnly of_part(knobs, "view", {"one"});
+        of_part.toggle("plain", plain_, "a part");
+        of_part.toggle("own", own_, KnobHelp("a part of it").only("plain", {"on"}));
+    }
+
+private:
+    bool plain_ = false, own_ = false;
+};
+
+TEST(KnobHelp, KnobsOfAPartGetItsConditionUnlessTheyHaveTheirOwn) {
+    TwoKnobs lab;
+    const std::vector<KnobText> knobs = describe_knobs(lab);
+    EXPECT_EQ(knobs.at(0).help.condition(), "view = one");
+    EXPECT_EQ(knobs.at(1).help.condition(), "plain = on");
+}
+
 TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobHasNoneOfItsValues) {
     const auto knobs = [](const char* view, const KnobHelp& help) {
         return std::vector<KnobText>{{"view", view, "all, map, one", "what is drawn"}, {"cut", "0", "0 to 1", help}};
@@ -33,6 +55,19 @@ TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobHasNoneOfItsValues) {
     EXPECT_FALSE(is_ignored("cut", knobs("one", help)));
     EXPECT_FALSE(is_ignored("cut", knobs("all", "the cut")));
     EXPECT_FALSE(is_ignored("none", knobs("all", "the cut")));
+}
+
+TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobIsIgnored) {
+    const auto knobs = [](const char* view, const char* count) {
+        return std::vector<KnobText>{{"view", view, "all, one", "what is drawn"},
+                                     {"count", count, "fixed, angle", KnobHelp("the rule").only("view", {"one"})},
+                                     {"least", "8", "1 to 9", KnobHelp("the least").only("count", {"angle"})}};
+    };
+    EXPECT_FALSE(is_ignored("least", knobs("one", "angle")));
+    EXPECT_TRUE(is_ignored("least", knobs("one", "fixed")));
+    EXPECT_TRUE(is_ignored("least", knobs("all", "angle")));
+    EXPECT_EQ(unmet_condition("least", knobs("one", "fixed")), "count = angle");
+    EXPECT_EQ(unmet_condition("least", knobs("all", "angle")), "view = one");
 }
 
 }  // namespace

@@ -55,6 +55,10 @@ public:
         for (const GLenum one : {GL_COLOR_LOGIC_OP, GL_DEPTH_CLAMP, GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE})
             glEnable(one);
         glSampleMaski(0, 0);
+        glStencilMask(0);
+        glStencilFunc(GL_NEVER, 1, 1);
+        glPolygonOffset(1, 1);
+        glBlendColor(1, 1, 1, 1);
     }
 };
 
@@ -128,6 +132,21 @@ TEST(Shot, IsIndependentOfTheGlStateOfAnotherLab) {
     BadNeighbour bad;
     const Image before = take_left_half({0, 1, 0, 1}, small);
     EXPECT_THROW(render_shot(bad, small), Error) << "it draws nothing";
+    // A lab may enable these tests without setting what they compare, as with a new context.
+    const auto integer = [](GLenum name) {
+        GLint value = 0;
+        glGetIntegerv(name, &value);
+        return value;
+    };
+    const auto number = [](GLenum name) {
+        GLfloat value[4] = {};
+        glGetFloatv(name, value);
+        return value[0];
+    };
+    EXPECT_EQ(integer(GL_STENCIL_FUNC), GL_ALWAYS);
+    EXPECT_NE(integer(GL_STENCIL_WRITEMASK), 0);
+    EXPECT_EQ(number(GL_POLYGON_OFFSET_FACTOR), 0);
+    EXPECT_EQ(number(GL_BLEND_COLOR), 0);
     const Image after = take_left_half({0, 1, 0, 1}, small);
     EXPECT_EQ(before.values, after.values);
 }
