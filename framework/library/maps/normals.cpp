@@ -14,11 +14,14 @@ namespace relief {
 Image normals_in(const Image& picture, std::vector<std::string>& notes) {
     if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
     Image normals = channels_of(picture, 0, 3);
+    const auto is_finite = [](const float* texel) {
+        return std::isfinite(texel[0]) && std::isfinite(texel[1]) && std::isfinite(texel[2]);
+    };
     size_t not_finite = 0, beyond = 0;
     double sideways = 0;
     for (size_t i = 0; i < normals.values.size(); i += 3) {
         float* const texel = &normals.values[i];
-        if (!std::isfinite(texel[0]) || !std::isfinite(texel[1]) || !std::isfinite(texel[2])) {
+        if (!is_finite(texel)) {
             texel[0] = texel[1] = 0.5f, texel[2] = 1, ++not_finite;
             continue;
         }
@@ -33,11 +36,9 @@ Image normals_in(const Image& picture, std::vector<std::string>& notes) {
     // x and y of many normals have a mean near 0, which is stored as 0.5.
     const bool is_signed = beyond > 0 && std::abs(sideways) < 0.5 * double(normals.pixel_count() - not_finite);
     if (is_signed)
-        for (size_t i = 0; i < normals.values.size(); ++i) {
-            const float* const texel = picture.values.data() + i / 3 * size_t(picture.channels);
-            if (std::isfinite(texel[0]) && std::isfinite(texel[1]) && std::isfinite(texel[2]))
+        for (size_t i = 0; i < normals.values.size(); ++i)
+            if (is_finite(picture.values.data() + i / 3 * size_t(picture.channels)))
                 normals.values[i] = 0.5f * normals.values[i] + 0.5f;
-        }
     if (is_signed)
         notes.push_back("its values are normals from -1 to 1, not colours from 0 to 1");
     else if (beyond > 0)
