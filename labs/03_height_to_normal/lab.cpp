@@ -41,7 +41,7 @@ public:
             describe(frame.size, tiles[i], filter_of(i), maps.normals.at(filter_of(i)).error);
         }
         if (shows_error()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -40,7 +40,7 @@ public:
                 labels_.caption(frame.size, tiles[i], 0, methods.names[size_t(method)] + distance_from_file(method));
             }
         }
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
         labels_.draw(frame);
     }

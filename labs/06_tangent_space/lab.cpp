@@ -33,7 +33,7 @@ public:
             draw_surface(frame_in(frame, tiles[i]), tiles[i], way);
             if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
         }
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -44,7 +44,7 @@ public:
             }
             if (!view.title.empty()) labels_.caption(frame.size, view.tile, 0, view.title);
         }
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

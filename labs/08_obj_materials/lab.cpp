@@ -202,7 +202,7 @@ private:
             if (settings_.is_wipe())
                 labels_.rectangle({float(views[1].part.size.x) - 0.5f, 0}, {1, float(frame.size.y)}, {1, 1, 1, 0.4f});
         }
-        if (settings_.shows_notes()) labels_.notes(frame.size, scene.notes);
+        if (settings_.shows_notes()) labels_.notes(scene.notes);
     }
 
     void describe_filters(const Frame& frame, const std::vector<View>& views) {

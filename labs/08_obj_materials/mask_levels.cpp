@@ -23,7 +23,9 @@ void MaskLevels::draw(const Frame& frame, Labels& labels, int alpha, float thres
         const int row = int(i) / levels_shown, level = int(i) % levels_shown;
         draw_level(level, frame.probe ? alpha : row, threshold, frame.probe);
         if (frame.probe) continue;
-        labels.caption(frame.size, tile, 0, fmt::format("{}, level {}", names[size_t(row)], level));
+        // As in a table: the first row names the levels, and the first column the rules.
+        if (row == 0) labels.caption(frame.size, tile, 0, fmt::format("level {}", level));
+        if (level == 0) labels.caption(frame.size, tile, row == 0 ? 1 : 0, names[size_t(row)]);
         if (const double share = measure(level, row, threshold); std::isfinite(share))
             labels.caption(frame.size, tile, -1, fmt::format("{:.1f} %", 100 * share));
     }

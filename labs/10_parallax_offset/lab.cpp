@@ -33,7 +33,7 @@ public:
         for (const Sight& sight : sights) draw_tile(sight);
         if (words) describe(frame.size, sights, found);
         if (view_ == eye && !frame.probe) describe_eyes(frame.size, sights);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 
@@ -221,12 +221,17 @@ private:
         }
     }
 
+    /// Writes captions. Those of a strip are as in a table: its first row and its first column name methods and angles.
     void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<ErrorSummary>& found) {
         for (size_t i = 0; i < sights.size(); ++i) {
             const auto& [tile, frame, method, degrees, by] = sights[i];
-            const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
-            const std::string name = methods[size_t(method)];
-            labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
+            const bool is_table = view_ == strip;
+            const bool is_first_method = method == sights[0].method, is_first_angle = degrees == sights[0].degrees;
+            std::string title;
+            if (!is_table || is_first_angle) title = methods[size_t(method)];
+            if (is_table && is_first_method && surface_.shape == ReliefSurface::wall)
+                title += fmt::format("{}{}~", title.empty() ? "" : " ", degrees);
+            if (!title.empty()) labels_.caption(size, tile, 0, title);
             if (found[i].count > 0) labels_.caption(size, tile, -1, amount_of(found[i].mean, "texel"));
         }
         if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);

@@ -38,11 +38,14 @@ public:
             if (shows_error)
                 draw_part(frame, tiles[i], {corner + glm::ivec2(left, 0), {size.x - left, size.y}}, method_of(i),
                           "ERROR");
-            if (view_ == compare) describe(frame.size, tiles[i], comparisons[i], figures[i]);
+            if (view_ == compare) {
+                const float share = float(left) / float(std::max(1, size.x));
+                describe(frame.size, tiles[i], comparisons[i], figures[i], share > 0 ? share : 1);
+            }
         }
         glDisable(GL_SCISSOR_TEST);
         if (shows_error) labels_.log_scale(frame.size, "0.01", "100 texels", 4);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 
@@ -178,13 +181,16 @@ private:
         return figures;
     }
 
-    void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
-        labels_.caption(size, tile, 0, method.title);
+    /// Writes the captions of a tile over the left `room` of its width, beside the error.
+    void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures, float room) {
+        constexpr glm::vec3 bright(0.93f, 0.92f, 0.89f), quiet(0.72f, 0.73f, 0.75f);
+        labels_.caption(size, tile, 0, method.title, bright, room);
         if (figures.pixels == 0) return;
         labels_.caption(
             size, tile, -2,
-            fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)));
-        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " taps", {0.62f, 0.63f, 0.65f});
+            fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)), bright,
+            room);
+        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " taps", quiet, room);
     }
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};

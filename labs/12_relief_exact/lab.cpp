@@ -55,7 +55,7 @@ public:
             if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
         }
         if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 iterations", 8);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -48,7 +48,7 @@ public:
                 labels_.caption(frame.size, tiles[i], 1, fmt::format("levels up to {:.0f}", bounded(most)));
         }
         if (is_count) DisplacedSurface::end_winding();
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -6,30 +6,6 @@
 #include "scene.h"
 
 namespace relief::adaptive {
-namespace {
-
-struct LegendEntry {
-    std::string text;
-    glm::vec3 color;
-};
-
-/// Adds a legend in the lower left corner of a tile, the first row below the second.
-void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const std::vector<std::vector<LegendEntry>>& rows) {
-    // Words that are laid over a picture do not shrink with it, and are wider.
-    const float small = has_words() ? 0.75f : 0.9f, wide = has_words() ? 1 : 1.25f;
-    const float line = std::min(Labels::line_height(size) * small, 0.06f * float(tile.size.y)), gap = line * 0.25f;
-    glm::vec2 place(0, float(size.y - tile.corner.y));
-    for (const auto& row : rows) {
-        place = {float(tile.corner.x) + gap * 2, place.y - line - gap};
-        for (const auto& [text, color] : row) {
-            labels.rectangle(place, {line, line}, glm::vec4(color, 1));
-            labels.text(text, place + glm::vec2(line * 1.25f, 0), line);
-            place.x += line * 1.75f + wide * Labels::width(text, line);
-        }
-    }
-}
-
-}  // namespace
 
 std::vector<glm::ivec2> holes_in(const Image& sums, bool is_closed) {
     const auto sum = [&](int x, int y) {
@@ -67,14 +43,14 @@ void describe_patches(Labels& labels, glm::ivec2 size, const Tile& tile, const D
         labels.caption(size, tile, 0,
                        fmt::format("{:.0f} % of {} patches culled",
                                    100.0 * more / each / double(std::max<size_t>(1, count)), count));
-    std::vector<LegendEntry> levels, others;
+    const auto add = [&](const std::string& text, glm::vec3 color, int row) {
+        labels.legend(size, tile, text, color, row);
+    };
     for (int octave = 0; octave < level_octaves; ++octave)  // the colours of surface.frag
-        levels.push_back({std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1))});
-    if (of.settings.cull != Settings::cull_none) others.push_back({"outside", outside_color});
-    if (of.settings.cull == Settings::cull_all && of.surface.is_one_sided())
-        others.push_back({"facing away", away_color});
-    if (of.settings.fade) others.push_back({"faded", faded_color});
-    add_legend(labels, size, tile, {levels, others});
+        add(std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1)), 1);
+    if (of.settings.cull != Settings::cull_none) add("outside", outside_color, 0);
+    if (of.settings.cull == Settings::cull_all && of.surface.is_one_sided()) add("facing away", away_color, 0);
+    if (of.settings.fade) add("faded", faded_color, 0);
 }
 
 void describe_limits(Labels& labels, glm::ivec2 size, const Tile& tile, const Described& of, float most_level) {

@@ -43,7 +43,7 @@ public:
             else
                 triangles = draw_eye(frame.size, view);
         describe_limits(labels_, frame.size, views[0].tile, {settings_, surface_}, most_level_);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -32,7 +32,7 @@ public:
             draw_far_seas(frame);
         else
             draw_maps(frame);
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 
@@ -117,14 +117,14 @@ private:
         for (int i = 0; i < 4; ++i) {
             const auto& [corner, size] = tiles[size_t(i)];
             const int side = std::min(size.x, size.y) * 9 / 10;
-            glViewport(corner.x + (size.x - side) / 2, corner.y + (size.y - side) / 2, side, side);
+            const Tile square{corner + (size - side) / 2, glm::ivec2(side)};
+            glViewport(square.corner.x, square.corner.y, side, side);
             const Program& program = map_.with({i < 2 ? "HEIGHTS" : "", settings_.level > 0 ? "ONE_LEVEL" : ""});
             glUseProgram(program);
             program.set("s_map", 0, i < 2 ? settings_.water.waves(i) : settings_.water.normals(i - 2));
             program.set("u_level", float(settings_.level - 1));
             window_.draw();
-            labels_.caption(frame.size, tiles[size_t(i)], 0,
-                            fmt::format("{} {}", i < 2 ? "heights" : "normals", i % 2 + 1));
+            labels_.caption(frame.size, square, 0, fmt::format("{} {}", i < 2 ? "heights" : "normals", i % 2 + 1));
         }
     }
 

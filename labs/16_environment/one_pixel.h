@@ -33,7 +33,8 @@ public:
 
     /// Adds the table of the terms and a cross at the pixel.
     void describe(const Frame& frame, const Terms& drawn, const std::optional<Terms>& exact, Labels& labels) const {
-        const float line = Labels::line_height(frame.size);
+        constexpr float longest = 41;  // letters of a line, with a margin
+        const float line = std::min(Labels::line_height(frame.size), 2 * float(frame.size.x) / longest);
         labels.cross(glm::vec2(in(frame)) + 0.5f, line);
         static constexpr std::array names = {"light of the sky", "  x occlusion", "+ lamps", "  (shadow",
                                              "+ mirrored sky",   "  (share",      "= light"};
@@ -44,8 +45,7 @@ public:
                                         exact ? fmt::format(" {:8.4f}", numbers(*exact)[i]) : "",
                                         std::string_view(names[i]).starts_with("  (") ? ")" : ""));
         const float top = float(frame.size.y) - (float(lines.size()) + 0.6f) * line;
-        for (size_t i = 0; i < lines.size(); ++i)
-            labels.text(lines[i], {Labels::width("x", line), top + float(i) * line}, line);
+        for (size_t i = 0; i < lines.size(); ++i) labels.text(lines[i], {0.5f * line, top + float(i) * line}, line);
     }
 
 private:

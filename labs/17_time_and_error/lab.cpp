@@ -45,7 +45,7 @@ public:
                     frame.size, tile, 0,
                     method_ == automatic ? "budget " + amount_of(budget_, "pixel") : methods.names[size_t(method_)]);
         }
-        labels_.notes(frame.size, notes_of_files(*this));
+        labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
 

@@ -42,14 +42,11 @@ inline Shares shares_in(const Image& drawn) {
     return shares;
 }
 
-/// Adds the methods, with their colours and shares, at the lower left of a tile.
+/// Adds the methods, with their colours and shares, to the legend of a tile.
 inline void add_legend(Labels& labels, glm::ivec2 size, const Tile& tile, const Shares& shares) {
-    const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
-    glm::vec2 place(float(tile.corner.x) + gap * 2, float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
-    for (size_t i = method_count; i-- > 0; place.y += line + gap) {
-        labels.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
+    for (size_t i = 0; i < method_count; ++i) {
         const std::string share = shares ? fmt::format(" {:.0f} %", 100 * (*shares)[i]) : "";
-        labels.text(methods.names[first_method + i] + share, place + glm::vec2(line * 1.9f, 0), line);
+        labels.legend(size, tile, methods.names[first_method + i] + share, glm::pow(colors[i], glm::vec3(1 / 2.2f)));
     }
 }
 

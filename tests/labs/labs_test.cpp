@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <random>
 #include <regex>
 #include <set>
@@ -23,8 +25,10 @@
 #include "framework/core/image/file.h"
 #include "framework/core/lab/words.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/library/kit/labels.h"
 #include "framework/library/maps/visualize.h"
 #include "tests/support.h"
+#include "tests/words.h"
 
 namespace relief {
 
@@ -400,6 +404,60 @@ TEST_P(EveryLab, MeasuresTheSameNumbersForAPictureOfAnySizeOrSaysThatItDoesNot) 
     const std::map<int, std::string> views = {{2, "blocks"}, {5, "frames"}, {12, "compare"}, {19, "blends"}};
     const std::string view = views.contains(GetParam().number) ? views.at(GetParam().number) : "";
     EXPECT_EQ(numbers_of({120, 180}, view), numbers_of({256, 144}, view));
+}
+
+/// Discards all fragments and pixels while it exists. A lab then takes the numbers of its captions from an earlier
+/// draw.
+class WithoutPixels {
+public:
+    WithoutPixels() { glEnable(GL_RASTERIZER_DISCARD); }
+    WithoutPixels(const WithoutPixels&) = delete;
+    ~WithoutPixels() { glDisable(GL_RASTERIZER_DISCARD); }
+};
+
+/// Returns the faults of the words over a view at a size, in the letters of pictures and in those of the window.
+std::string faults_of_view(Lab& lab, Shot shot, glm::ivec2 size) {
+    shot.size = size;
+    std::vector<PictureWord> words;
+    {
+        const WithoutWords no_words;
+        const Target target(TargetKind::picture, size);
+        draw_lab(lab, frame_of(shot, target));
+        words = no_words.words();
+    }
+    for (PictureWord& word : words) word.place *= size, word.size *= size;
+    const Letters of_window{
+        .width = [](const std::string& text, float height) { return 0.6f * height * float(text.size()); },
+        .usual = 15,
+        .least = 12.75f,
+        .share = 0.8f};
+    return faults_of_words(words, size, Labels::letters(size)) + faults_of_words(words, size, of_window);
+}
+
+// The opening view on a phone, in a small window and on a large screen; with --all also each reference screenshot.
+TEST_P(EveryLab, NoWordOverAPictureIsCutOrOverlapsAnother) {
+    constexpr std::array sizes = {glm::ivec2(343, 571), glm::ivec2(470, 731), glm::ivec2(640, 480),
+                                  glm::ivec2(1920, 1080)};
+    // These labs count what the picture itself has. Their large pictures cost seconds.
+    const bool depends_on_pixels = std::set<int>{9, 14, 17}.contains(GetParam().number);
+    const bool is_long = tests_all();
+    std::vector<std::pair<std::string, Shot>> views = {{"the opening view", shot()}};
+    for (const GoldenInfo& golden : manifest_.goldens)
+        if (is_long && !golden.shot.probe) views.emplace_back(golden.name, golden.shot);
+    for (const auto& [name, view] : views) {
+        Shot once = view;
+        once.size = {64, 48};
+        const std::unique_ptr<Lab> lab = make_lab(GetParam(), once);
+        std::optional<WithoutPixels> without_pixels;
+        if (!depends_on_pixels) {
+            render_shot(*lab, once);  // measures the numbers of the captions
+            without_pixels.emplace();
+        }
+        for (const glm::ivec2 size : sizes) {
+            EXPECT_EQ(faults_of_view(*lab, once, size), "") << name << " at " << size.x << " x " << size.y;
+            if (depends_on_pixels && !is_long) break;
+        }
+    }
 }
 
 /// The knobs of a lab that accept a file.

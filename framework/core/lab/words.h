@@ -12,6 +12,8 @@ namespace relief {
 struct PictureWord {
     enum class Kind {
         caption,  ///< a line in the middle of a tile; place and size are the tile's
+        legend,   ///< a colour and its name, in the strip at the foot of a tile; place and size are the tile's
+        note,     ///< a sentence at the foot of the picture
         text,     ///< `anchor` says which point of the text is at place.x; size.y is its height
         box,
         scale  ///< heat colours from `text` on the left to `end` on the right
@@ -20,7 +22,8 @@ struct PictureWord {
     glm::vec2 place{0}, size{0};
     std::string text = {}, end = {};  ///< UTF-8
     glm::vec4 color{1};
-    int line = 0;      ///< of a caption: 0 is the first, -1 the last
+    int line = 0;      ///< of a caption: 0 is the title, -1 the last; a legend begins a row where it changes
+    float room = 1;    ///< of a caption: the share of its tile's width, from the left, in which it is
     float anchor = 0;  ///< of a text: 0 left, 0.5 middle, 1 right
     int parts = 1;     ///< of a scale: each tick is a tenth of the next
 };

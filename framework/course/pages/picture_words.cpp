@@ -18,11 +18,11 @@ std::string color_of(glm::vec4 color) {
     return fmt::format("rgb({} {} {} / {:.2f})", byte(color.x), byte(color.y), byte(color.z), color.w);
 }
 
-/// Returns the captions of each tile at its top, and at its bottom.
+/// Returns the captions of each tile at its top, and at its bottom, and its legend.
 List tiles_of_captions(std::span<const PictureWord> words) {
     std::vector<PictureWord> captions;
     for (const PictureWord& word : words)
-        if (word.kind == PictureWord::Kind::caption) captions.push_back(word);
+        if (word.kind == PictureWord::Kind::caption || word.kind == PictureWord::Kind::legend) captions.push_back(word);
     const auto same_tile = [](const PictureWord& a, const PictureWord& b) {
         return a.place == b.place && a.size == b.size;
     };
@@ -36,11 +36,25 @@ List tiles_of_captions(std::span<const PictureWord> words) {
             if (same_tile(word, captions[i])) lines.push_back(word);
         std::stable_sort(lines.begin(), lines.end(),
                          [](const PictureWord& a, const PictureWord& b) { return a.line < b.line; });
-        List top, bottom;
-        for (const PictureWord& word : lines)
-            (word.line < 0 ? bottom : top)
-                .push_back(Fields{{"text", word.text}, {"style", "color:" + color_of(word.color)}});
-        tiles.push_back(Fields{{"style", box_of(captions[i])}, {"top", std::move(top)}, {"bottom", std::move(bottom)}});
+        List top, bottom, legend;
+        float room = 1;
+        for (const PictureWord& word : lines) {
+            const std::string color = color_of(word.color);
+            if (word.kind == PictureWord::Kind::legend) {
+                legend.push_back(Fields{{"text", word.text}, {"style", "background:" + color}});
+                continue;
+            }
+            room = std::min(room, word.room);
+            (word.line < 0 ? bottom : top).push_back(Fields{{"text", word.text}, {"style", "color:" + color}});
+        }
+        tiles.push_back(Fields{
+            {"style", box_of(captions[i])},
+            {"corner", fmt::format("left:{};top:{}", percent(captions[i].place.x), percent(captions[i].place.y))},
+            {"number", std::to_string(tiles.size() + 1)},
+            {"room", room < 1 ? "align-self:flex-start;width:" + percent(room) : ""},
+            {"top", std::move(top)},
+            {"bottom", std::move(bottom)},
+            {"legend", std::move(legend)}});
     }
     return tiles;
 }
@@ -125,7 +139,14 @@ Fields fields_of(std::span<const PictureWord> words) {
             scale = Fields{{"low", word.text}, {"high", word.end}, {"ticks", std::move(ticks)}};
         }
     }
-    return {{"tiles", tiles_of_captions(words)}, {"boxes", boxes}, {"lines", lines_of_texts(words)}, {"scale", scale}};
+    List notes;
+    for (const PictureWord& word : words)
+        if (word.kind == PictureWord::Kind::note) notes.push_back(Fields{{"text", word.text}});
+    const List tiles = tiles_of_captions(words);
+    return {
+        {"tiles", tiles}, {"numbers", tiles.size() > 1 ? tiles : List{}},  // the list of a narrow screen refers to them
+        {"boxes", boxes}, {"lines", lines_of_texts(words)},
+        {"scale", scale}, {"notes", notes}};
 }
 
 }  // namespace

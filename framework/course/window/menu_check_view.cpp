@@ -143,8 +143,11 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
                       beside ? size.y : other.y + size.y - corner.y});
         if (difference_) {
             wrapped(differs_ + ".");
-            ImGui::Dummy({size.x, 0});
+            ImGui::SetCursorScreenPos(
+                {other.x, ImGui::GetCursorScreenPos().y});  // below the picture of the differences
+            ImGui::BeginGroup();
             draw_heat_scale({"0", largest_ + " and more"}, size.x);
+            ImGui::EndGroup();
         }
         ImGui::End();
         if (both) {

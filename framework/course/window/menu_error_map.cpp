@@ -17,6 +17,7 @@
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
+#include "framework/course/window/menu_words.h"
 #include "framework/library/kit/made_map.h"
 #include "framework/library/kit/obj_scene.h"
 #include "framework/library/kit/own_mesh.h"
@@ -296,20 +297,20 @@ void ErrorMap::compare(Stage& stage, const Work& work) {
                             plain(error_.largest), error_.count));
 }
 
-void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size) const {
-    if (!on_ || !picture_) return;
-    const ImVec2 low{float(at.x), float(at.y)}, high{float(at.x + size.x), float(at.y + size.y)};
+std::vector<Box> ErrorMap::draw(const Box& box) const {
+    if (!on_ || !picture_) return {};
+    const ImVec2 low{float(box.at.x), float(box.at.y)}, high{float(box.right()), float(box.bottom())};
     // Row 0 of a texture is the bottom.
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddImage(texture_id(*picture_), low, high, {0, 1}, {1, 0});
-    for (const TileMean& tile : tiles_) {
-        const std::string line = amount_of(tile.mean, compared_->probe.unit);
-        const ImVec2 wide = ImGui::CalcTextSize(line.c_str());
-        const float x = low.x + float(size.x) * (tile.place.x + tile.size.x / 2) - wide.x / 2,
-                    y = low.y + float(size.y) * (tile.place.y + tile.size.y) - 1.5f * wide.y;
-        list.AddRectFilled({x - 4, y - 2}, {x + wide.x + 4, y + wide.y + 2}, IM_COL32(16, 17, 20, 255), 3);
-        list.AddText({x, y}, IM_COL32_WHITE, line.c_str());
-    }
+    std::vector<PictureWord> means;
+    for (const TileMean& tile : tiles_)
+        means.push_back({.kind = PictureWord::Kind::caption,
+                         .place = tile.place,
+                         .size = tile.size,
+                         .text = amount_of(tile.mean, compared_->probe.unit),
+                         .line = -1});
+    return draw_words(std::move(means), box, 0, box.size.x + 1);
 }
 
 void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves) const {

@@ -55,8 +55,8 @@ public:
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it with its upper left corner at `at`.
-    void draw(glm::ivec2 at, glm::ivec2 size) const;
+    /// Draws it, and the mean of each tile. Returns the places of these numbers in the window.
+    std::vector<Box> draw(const Box& box) const;
     /// Draws a caption below both halves. With `moves` the picture is animated, so there is no map.
     void draw_legend(const Box& box, const std::string& probe, bool moves) const;
 

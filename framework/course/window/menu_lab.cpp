@@ -269,8 +269,8 @@ int LabView::draw_picture(glm::ivec2 room, float scale) {
     if (held > 0) draw_words(wipe_.words(), picture, 0, held);
     if (stage_.framebuffer()) draw_words(stage_.words(), picture, held, room.x + 1);
     wipe_.draw_border(picture, scale, stage_);
-    error_map_.draw({picture.right(), picture.at.y}, room);
-    pixel_.draw(stage_, error_map_, picture.at, room);
+    const std::vector<Box> means = error_map_.draw({{picture.right(), picture.at.y}, room});
+    pixel_.draw(stage_, error_map_, picture.at, room, means);
     if (drawn && stage_.failed()) return 3;  // ImGui measures the error's box before it shows it
     return is_told_ || wipe_.is_opening() ? 2 : 0;
 }

@@ -13,6 +13,7 @@
 #include "framework/course/window/menu_error_map.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
+#include "framework/course/window/menu_tiles.h"
 
 namespace relief::window {
 namespace {
@@ -42,6 +43,19 @@ void draw_cross(float x, float y) {
     }
 }
 
+float width_of_names() { return ImGui::CalcTextSize("exact   ").x; }
+
+/// Returns the size of the box with a title and rows, in pixels.
+glm::ivec2 size_of_rows(const std::string& title, const std::vector<PixelRow>& rows) {
+    float wide = ImGui::CalcTextSize(title.c_str()).x;
+    for (const PixelRow& row : rows)
+        wide = std::max(wide, width_of_names() + ImGui::CalcTextSize(row.numbers.c_str()).x);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return glm::ivec2(
+        std::ceil(wide + 2 * style.WindowPadding.x),
+        std::ceil(float(rows.size() + 1) * ImGui::GetTextLineHeightWithSpacing() + 2 * style.WindowPadding.y));
+}
+
 Image pixel_of(const Image& image, glm::ivec2 pixel) {
     Image one(1, 1, image.channels);
     std::copy_n(image.pixel(pixel.x, pixel.y), image.channels, one.values.begin());
@@ -64,12 +78,13 @@ std::vector<PixelRow> pixel_rows(const ProbeInfo& probe, glm::ivec2 pixel, const
 void draw_rows(const std::vector<PixelRow>& rows) {
     for (const PixelRow& row : rows) {
         quiet_text(row.name);
-        ImGui::SameLine(ImGui::CalcTextSize("exact   ").x + ImGui::GetStyle().WindowPadding.x);
+        ImGui::SameLine(width_of_names() + ImGui::GetStyle().WindowPadding.x);
         text(row.numbers);
     }
 }
 
-void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corner, glm::ivec2 size) {
+void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corner, glm::ivec2 size,
+                       const std::vector<Box>& words) {
     const ErrorMap::Compared* const compared = map.compared();
     const Image* const values = compared ? &compared->values : stage.values() ? &*stage.values() : nullptr;
     if (!values || values->width != size.x || values->height != size.y) return;
@@ -90,14 +105,15 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corne
             draw_cross(float(corner.x + copy * size.x + pixel.x), float(corner.y + pixel.y));
 
     const ProbeInfo& probe = compared ? compared->probe : stage.manifest().probe(stage.probe().name);
-    const ImVec2 at(float(corner.x + pixel.x) + 16, float(corner.y + pixel.y) + 16);
-    ImGui::SetNextWindowPos(at, ImGuiCond_Always,
-                            {at.x > io.DisplaySize.x * 0.7f ? 1.1f : 0, at.y > io.DisplaySize.y * 0.8f ? 1.3f : 0});
+    const std::string title = fmt::format("{} at {}, {}{}", probe.name, pixel.x, pixel.y, held_ ? ", held" : "");
+    const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
+    const glm::ivec2 at = beside(corner + pixel, size_of_rows(title, rows),
+                                 {{0, 0}, {int(io.DisplaySize.x), int(io.DisplaySize.y)}}, words);
+    ImGui::SetNextWindowPos({float(at.x), float(at.y)});
     ImGui::Begin("pixel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::TextColored(quiet, "%s at %d, %d%s", probe.name.c_str(), pixel.x, pixel.y, held_ ? ", held" : "");
-    const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
+    quiet_text(title);
     draw_rows(rows);
     ImGui::End();
     if (!is_new) return;

@@ -29,7 +29,8 @@ void draw_rows(const std::vector<PixelRow>& rows);
 class PixelValues {
 public:
     /// `at` is the upper left corner of the picture. The error map, if it is on, stands to the right of the picture.
-    void draw(const Stage& stage, const ErrorMap& map, glm::ivec2 at, glm::ivec2 size);
+    /// The values hide none of the `words`.
+    void draw(const Stage& stage, const ErrorMap& map, glm::ivec2 at, glm::ivec2 size, const std::vector<Box>& words);
 
 private:
     std::optional<glm::ivec2> held_;

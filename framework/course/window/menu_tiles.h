@@ -1,4 +1,5 @@
-// The tiles of a lab's picture, and the mean error of each. Without GL. In the window module only.
+// The tiles of a lab's picture, the mean error of each, and a place that hides none of these numbers. Without GL. In
+// the window module only.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,6 +7,7 @@
 
 #include "framework/core/image/image.h"
 #include "framework/core/lab/words.h"
+#include "framework/course/window/menu_layout.h"
 
 namespace relief::window {
 
@@ -18,5 +20,9 @@ struct TileMean {
 /// Returns the mean of an error in each tile that has a caption; finds the tiles by the words of the lab's picture.
 /// Leaves out tiles without an error. Returns nothing for less than two tiles.
 std::vector<TileMean> tile_means(const std::vector<PictureWord>& words, const Image& error);
+
+/// Returns the upper left corner of a box of `size` near `pixel`, in `room`: to the lower right, or where it hides no
+/// `words`, if there is such a place beside the pixel.
+glm::ivec2 beside(glm::ivec2 pixel, glm::ivec2 size, const Box& room, const std::vector<Box>& words);
 
 }  // namespace relief::window

@@ -1,7 +1,5 @@
 #include "framework/library/kit/labels.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -12,90 +10,55 @@ namespace relief {
 namespace {
 
 // assets/labels.png: 16 by 6 letters from the space on, the last a degree sign.
-constexpr int columns = 16, rows = 6;
-constexpr char degree = '~';
+constexpr int columns = 16, rows = 6, degree = columns * rows - 1;
+constexpr float letter_aspect = 0.5f;
+constexpr float least_letters = 12;  ///< height in pixels below which letters of labels.png run together
+
+/// Returns a text in UTF-8 as cells of labels.png. Letters that it does not have are question marks.
+std::vector<int> cells_of(std::string_view text) {
+    std::vector<int> cells;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (text.substr(i).starts_with("°"))
+            cells.push_back(degree);
+        else if ((byte & 0xc0) != 0x80)  // not inside of a letter
+            cells.push_back((byte < 32 || byte > 126 ? int('?') : int(byte)) - 32);
+    }
+    return cells;
+}
 
 std::string with_degree_signs(const std::string& text) {
     std::string result;
-    for (const char c : text) result += c == degree ? std::string("°") : std::string(1, c);
+    for (const char c : text) result += c == '~' ? std::string("°") : std::string(1, c);
     return result;
 }
 
-/// Breaks a text at blanks into lines of at most `longest` letters. All lines but the first are indented.
-std::vector<std::string> broken_into_lines(const std::string& text, size_t longest) {
-    constexpr std::string_view indent = "  ";
-    std::vector<std::string> lines;
-    std::string rest = text;
-    while (rest.size() > longest) {
-        size_t end = rest.rfind(' ', longest);
-        const bool is_word = end == std::string::npos || end <= indent.size();  // which no line has room for
-        if (is_word) end = longest;
-        lines.push_back(rest.substr(0, end));
-        rest = std::string(indent) + rest.substr(end + (is_word ? 0 : 1));
-    }
-    lines.push_back(rest);
-    return lines;
+/// Returns the place and size of a tile in a frame, from the upper left corner.
+std::pair<glm::vec2, glm::vec2> from_top(glm::ivec2 size, const Tile& tile) {
+    return {{tile.corner.x, size.y - tile.corner.y - tile.size.y}, tile.size};
 }
 
 }  // namespace
 
-void Labels::quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color) {
-    const glm::vec2 end = place + size;
-    const Corner upper_left{place, {low.x, high.y}, color}, upper_right{{end.x, place.y}, high, color},
-        lower_left{{place.x, end.y}, low, color}, lower_right{end, {high.x, low.y}, color};
-    for (const Corner& corner : {upper_left, lower_left, upper_right, upper_right, lower_left, lower_right})
-        corners_of_this_draw().push_back(corner);
+Letters Labels::letters(glm::ivec2 size) {
+    // As in a square picture of the same area, but a low one is not all letters.
+    const glm::vec2 whole(size);
+    const float side = std::min(0.75f * std::sqrt(whole.x * whole.y), 1.6f * std::min(whole.x, whole.y));
+    return {.width = [](const std::string& text,
+                        float height) { return float(cells_of(text).size()) * height * letter_aspect; },
+            .usual = std::max(14.0f, 2 * std::round(0.03f * side)),
+            .least = least_letters,
+            .even = true};
 }
 
-void Labels::forget_earlier_draws() {
-    if (std::exchange(draw_, draws_begun()) == draws_begun()) return;
-    corners_.clear();
-    words_.clear();
-}
-
-std::vector<Labels::Corner>& Labels::corners_of_this_draw() {
-    forget_earlier_draws();
-    return corners_;
-}
-
-bool Labels::leaves_out(PictureWord word) {
-    if (has_words()) return false;
-    forget_earlier_draws();
+void Labels::add(PictureWord word) {
+    if (std::exchange(draw_, draws_begun()) != draws_begun()) words_.clear();
     word.text = with_degree_signs(word.text), word.end = with_degree_signs(word.end);
     words_.push_back(std::move(word));
-    return true;
-}
-
-void Labels::notes(glm::ivec2 size, const std::vector<std::string>& notes) {
-    if (notes.empty()) return;
-    const float height = std::max(11.0f, line_height(size) * 0.62f), line = 1.3f * height;
-    const auto longest = size_t(std::max(20.0f, (float(size.x) - 2 * height) / (height * letter_aspect)));
-    const auto most = size_t(std::max(2.0f, 0.5f * float(size.y) / line));
-    std::vector<std::string> lines;
-    for (size_t i = 0; i < notes.size(); ++i) {
-        const std::vector<std::string> more = broken_into_lines(notes[i], longest);
-        const bool is_last = i + 1 == notes.size();
-        if (lines.size() + more.size() + (is_last ? 0 : 1) > most && !lines.empty()) {
-            lines.push_back(fmt::format("and {} more", notes.size() - i));
-            break;
-        }
-        lines.insert(lines.end(), more.begin(), more.end());
-    }
-    float top = float(size.y) - line * float(lines.size() + 1);
-    const auto is_shorter = [](const std::string& one, const std::string& other) { return one.size() < other.size(); };
-    const float widest = width(*std::max_element(lines.begin(), lines.end(), is_shorter), height);
-    if (has_words())  // words of a page have grounds of their own
-        quad({0.5f * height, top - 0.15f * line}, {widest + height, line * float(lines.size()) + 0.2f * line}, {0, -1},
-             {0, -1}, {0.05f, 0.055f, 0.065f, 0.75f});
-    for (const std::string& text : lines) {
-        this->text(text, {height, top}, height);
-        top += line;
-    }
 }
 
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) {
-    if (leaves_out({.kind = PictureWord::Kind::box, .place = place, .size = size, .color = color})) return;
-    quad(place, size, {0, -1}, {0, -1}, color);
+    add({.kind = PictureWord::Kind::box, .place = place, .size = size, .color = color});
 }
 
 void Labels::cross(glm::vec2 middle, float reach) {
@@ -107,75 +70,86 @@ void Labels::cross(glm::vec2 middle, float reach) {
         }
 }
 
-void Labels::heat_scale(glm::vec2 place, glm::vec2 size) { quad(place, size, {0, 2}, {1, 2}, glm::vec4(1)); }
-
 void Labels::text(const std::string& text, glm::vec2 place, float height, Align align, glm::vec3 color) {
-    if (leaves_out({.place = place,
-                    .size = {0, height},
-                    .text = text,
-                    .color = glm::vec4(color, 1),
-                    .anchor = align == Align::left     ? 0.0f
-                              : align == Align::centre ? 0.5f
-                                                       : 1.0f}))
-        return;
-    const float letter = height * letter_aspect, whole = width(text, height);
-    if (align != Align::left) place.x -= align == Align::centre ? whole / 2 : whole;
-    place = glm::round(place);
-    rectangle(place - glm::vec2(letter * 0.5f, 0), {whole + letter, height * 1.05f}, {0.05f, 0.055f, 0.065f, 0.72f});
-    for (const char c : text) {
-        const int index = c == degree ? columns * rows - 1 : std::clamp(int(c), 32, 126) - 32;
-        const glm::vec2 cell(1.0f / columns, 1.0f / rows);
-        const glm::vec2 low = cell * glm::vec2(index % columns, rows - 1 - index / columns);
-        if (c != ' ') quad(place, {letter, height}, low, low + cell, glm::vec4(color, 1));
-        place.x += letter;
-    }
+    add({.place = place,
+         .size = {0, height},
+         .text = text,
+         .color = glm::vec4(color, 1),
+         .anchor = align == Align::left     ? 0.0f
+                   : align == Align::centre ? 0.5f
+                                            : 1.0f});
 }
 
-void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
-    if (leaves_out({.kind = PictureWord::Kind::caption,
-                    .place = {float(tile.corner.x), float(size.y - tile.corner.y - tile.size.y)},
-                    .size = tile.size,
-                    .text = text,
-                    .color = glm::vec4(color, 1),
-                    .line = line}))
-        return;
-    // Line spacing does not depend on the text. A long text is drawn smaller.
-    const float first = std::min(line_height(size), 0.075f * float(tile.size.y)),
-                high = first * (line == 0 ? 1.0f : 0.8f);
-    const float height = std::min(high, 0.94f * float(tile.size.x) / ((float(text.size()) + 1) * letter_aspect));
-    const float top = float(size.y - tile.corner.y - tile.size.y);
-    const float y = line == 0  ? top + high * 0.3f
-                    : line > 0 ? top + first * 1.4f + high * 1.05f * float(line - 1)
-                               : top + float(tile.size.y) + high * (float(line) * 1.05f - 0.7f);
-    this->text(text, {float(tile.corner.x) + float(tile.size.x) / 2, y}, height, Align::centre, color);
+void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color,
+                     float room) {
+    const auto [place, extent] = from_top(size, tile);
+    add({.kind = PictureWord::Kind::caption,
+         .place = place,
+         .size = extent,
+         .text = text,
+         .color = glm::vec4(color, 1),
+         .line = line,
+         .room = room});
+}
+
+void Labels::legend(glm::ivec2 size, const Tile& tile, const std::string& text, glm::vec3 color, int row) {
+    const auto [place, extent] = from_top(size, tile);
+    add({.kind = PictureWord::Kind::legend,
+         .place = place,
+         .size = extent,
+         .text = text,
+         .color = glm::vec4(color, 1),
+         .line = row});
+}
+
+void Labels::notes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) add({.kind = PictureWord::Kind::note, .text = note});
 }
 
 void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
-    const float line = usual_line(size) * 0.7f, length = 0.4f * float(size.x);
-    const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.1f);
-    if (leaves_out({.kind = PictureWord::Kind::scale,
-                    .place = place,
-                    .size = {length, line * 0.8f},
-                    .text = low,
-                    .end = high,
-                    .parts = ticks}))
-        return;
-    heat_scale(place, {length, line * 0.8f});
-    text(low, place - glm::vec2(line * 0.6f, 0), line, Align::right);
-    text(high, place + glm::vec2(length + line * 0.6f, 0), line);
-    for (int tick = 1; tick < ticks; ++tick)
-        rectangle(place + glm::vec2(length * float(tick) / float(ticks), 0), {1, line * 0.8f}, {1, 1, 1, 0.8f});
+    const float line = scale_line(size) * 0.7f, length = 0.4f * float(size.x);
+    add({.kind = PictureWord::Kind::scale,
+         .place = {(float(size.x) - length) / 2, float(size.y) - line * 1.1f},
+         .size = {length, line * 0.8f},
+         .text = low,
+         .end = high,
+         .parts = ticks});
+}
+
+std::vector<Labels::Corner> Labels::corners_of(const WordLayout& layout) {
+    std::vector<Corner> corners;
+    const auto quad = [&](glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color) {
+        const glm::vec2 end = place + size;
+        const Corner upper_left{place, {low.x, high.y}, color}, upper_right{{end.x, place.y}, high, color},
+            lower_left{{place.x, end.y}, low, color}, lower_right{end, {high.x, low.y}, color};
+        for (const Corner& corner : {upper_left, lower_left, upper_right, upper_right, lower_left, lower_right})
+            corners.push_back(corner);
+    };
+    const glm::vec2 cell(1.0f / columns, 1.0f / rows);
+    for (const PlacedWord& word : layout.placed) {
+        if (word.kind == PlacedWord::Kind::heat) quad(word.place, word.size, {0, 2}, {1, 2}, glm::vec4(1));
+        if (word.kind == PlacedWord::Kind::ground || word.kind == PlacedWord::Kind::box)
+            quad(word.place, word.size, {0, -1}, {0, -1}, word.color);
+        if (word.kind != PlacedWord::Kind::text) continue;
+        const glm::vec2 letter(word.size.y * letter_aspect, word.size.y);
+        glm::vec2 place = word.place;
+        for (const int index : cells_of(word.text)) {
+            const glm::vec2 low = cell * glm::vec2(index % columns, rows - 1 - index / columns);
+            if (index != 0) quad(place, letter, low, low + cell, word.color);
+            place.x += letter.x;
+        }
+    }
+    return corners;
 }
 
 void Labels::draw(const Frame& frame) {
-    forget_earlier_draws();
-    const std::vector<Corner> corners = std::exchange(corners_, {});
     std::vector<PictureWord> words = std::exchange(words_, {});
-    if (frame.probe) return;
+    if (frame.probe || std::exchange(draw_, draws_begun()) != draws_begun()) return;
     if (!has_words()) {
         for (PictureWord& word : words) word.place /= frame.size, word.size /= frame.size;
-        leave_out(std::move(words));
+        return leave_out(std::move(words));
     }
+    const std::vector<Corner> corners = corners_of(lay_out(words, glm::vec2(frame.size), letters(frame.size)));
     if (corners.empty()) return;
     if (!uploaded_) {
         uploaded_.emplace();

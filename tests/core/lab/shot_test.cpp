@@ -212,56 +212,6 @@ TEST(Shot, LeavesItsWordsToWithoutWords) {
     EXPECT_EQ(render_shot(lab, small).values, labelled.values);
 }
 
-/// Draws notes over the left half.
-class Noted final : public Lab {
-public:
-    explicit Noted(std::vector<std::string> notes) : notes_(std::move(notes)) {}
-    void draw(const Frame& frame) override {
-        LeftHalf({0, 1, 0, 1}).draw(frame);
-        labels_.notes(frame.size, notes_);
-        labels_.draw(frame);
-    }
-
-private:
-    const std::vector<std::string> notes_;
-    Labels labels_;
-};
-
-TEST(Labels, NotesAreLegibleAndWholeInAPictureOfAnySize) {
-    const std::string note =
-        "terrain.exr: 17 texels hold -9999, far from all others (1047.25 to 1270.5): voids, filled from the heights "
-        "around them, and " +
-        std::string(90, 'x') + " is a word that no line has room for";
-    for (const glm::ivec2 size : {glm::ivec2(343, 571), {512, 512}, {160, 120}}) {
-        const auto lines_of = [&](const std::vector<std::string>& notes) {
-            Shot shot = small;
-            shot.size = size;
-            Noted lab(notes);
-            const WithoutWords no_words;
-            render_shot(lab, shot);
-            for (const PictureWord& word : no_words.words()) {
-                const float height = word.size.y * float(size.y);
-                EXPECT_GE(height, 11);
-                EXPECT_LE(word.place.x * float(size.x) + Labels::width(word.text, height), float(size.x));
-                EXPECT_GE(word.place.y, 0);
-                EXPECT_LE(word.place.y * float(size.y) + height, float(size.y));
-            }
-            return no_words.words();
-        };
-        const auto without_blanks = [](std::string text) {
-            text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-            return text;
-        };
-        if (size.x > 160) {
-            std::string all;
-            for (const PictureWord& word : lines_of({note})) all += word.text;
-            EXPECT_EQ(without_blanks(all), without_blanks(note));
-        }
-        const auto many = lines_of(std::vector<std::string>(20, "m.obj:7: 'l' is not read"));
-        EXPECT_TRUE(many.back().text.ends_with(" more") || many.size() == 20) << many.back().text;
-    }
-}
-
 TEST(Shot, LeavesNoObjectBehind) {
     const Counters before = counters();
     take_left_half({0, 1, 0, 1}, small);

@@ -74,6 +74,34 @@ TEST(PictureWords, OfAnErrorMapAreAScaleWithNumbers) {
     EXPECT_NE(shown.find("<span>2.5 texels and more</span>"), std::string::npos) << shown;
 }
 
+TEST(PictureWords, OfALegendAreInTheirTileBelowItsCaptions) {
+    const PictureWord title{
+        .kind = Kind::caption, .place = {0.5f, 0}, .size = {0.5f, 1}, .text = "above", .room = 0.75f};
+    PictureWord entry = title;
+    entry.kind = Kind::legend, entry.text = "64", entry.color = {1, 0, 0, 1};
+    const std::string shown = picture_words_markup(std::vector{title, entry});
+    const size_t above = shown.find("above"), swatch = shown.find("background:rgb(255 0 0"),
+                 name = shown.find("64</span>");
+    ASSERT_NE(name, std::string::npos) << shown;
+    EXPECT_TRUE(above < swatch && swatch < name) << shown;
+    EXPECT_NE(shown.find("width:75.00%"), std::string::npos) << shown;
+    EXPECT_EQ(shown.find("class=\"number\""), std::string::npos) << "one tile needs no number: " << shown;
+}
+
+TEST(PictureWords, OfEachOfSeveralTilesHaveItsNumberInThePicture) {
+    const PictureWord left{.kind = Kind::caption, .place = {0, 0}, .size = {0.5f, 1}, .text = "one"};
+    PictureWord right = left;
+    right.place.x = 0.5f, right.text = "two";
+    const std::string shown = picture_words_markup(std::vector{left, right});
+    EXPECT_NE(shown.find("<i class=\"number\" style=\"left:50.00%;top:0.00%\">2</i>"), std::string::npos) << shown;
+}
+
+TEST(PictureWords, OfANoteAreBelowThePicture) {
+    const std::string shown =
+        picture_words_markup(std::vector{PictureWord{.kind = Kind::note, .text = "m.obj: has no uv"}});
+    EXPECT_NE(shown.find("<span class=\"note\">m.obj: has no uv</span>"), std::string::npos) << shown;
+}
+
 TEST(PictureWords, AreNothingWithoutWords) { EXPECT_EQ(picture_words_markup({}), ""); }
 
 }  // namespace

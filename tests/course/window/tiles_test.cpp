@@ -23,10 +23,29 @@ TEST(Tiles, HaveTheMeanOfTheirPixelsThatHaveASurface) {
     EXPECT_EQ(means[1].place.x, 0.5f);
 }
 
+TEST(Tiles, AreThoseOfAnyCaption) {
+    Image error(2, 1, 1);
+    error.values = {1, 3};
+    EXPECT_EQ(tile_means({caption(0, 0.5f), caption(0.5f, 0.5f, -1)}, error).size(), 2u) << "the second has no title";
+}
+
 TEST(Tiles, OfAWholePictureAreNone) {
     Image error(2, 1, 1);
     EXPECT_TRUE(tile_means({caption(0, 1)}, error).empty());
     EXPECT_TRUE(tile_means({}, error).empty());
+}
+
+TEST(Tiles, ValuesBesideAPixelHideNoNumberOfATile) {
+    const Box room{{0, 0}, {400, 300}};
+    const glm::ivec2 pixel(200, 150), size(60, 40);
+    EXPECT_EQ(beside(pixel, size, room, {}), pixel + 16);
+    const Box below_right{{240, 180}, {30, 12}}, below_left{{130, 180}, {30, 12}};
+    EXPECT_EQ(beside(pixel, size, room, {below_right}), glm::ivec2(200 - 16 - 60, 166));
+    EXPECT_EQ(beside(pixel, size, room, {below_right, below_left}), glm::ivec2(216, 150 - 16 - 40));
+    // In a corner, and where nothing is free.
+    EXPECT_EQ(beside({390, 290}, size, room, {}), glm::ivec2(390 - 76, 290 - 56));
+    EXPECT_EQ(beside(pixel, size, room, {room}), pixel + 16);
+    EXPECT_EQ(beside(pixel, {500, 40}, room, {}).x, 0);
 }
 
 }  // namespace
