@@ -19,6 +19,7 @@
 #include "framework/course/app/command.h"
 #include "framework/course/check/check.h"
 #include "framework/course/check/check_apart.h"
+#include "framework/course/check/last_points.h"
 #include "framework/course/check/verdict_json.h"
 #include "framework/course/pages/check_page.h"
 #include "framework/course/pages/page.h"
@@ -44,21 +45,44 @@ class Printer {
 public:
     Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
 
+    /// Prints the messages of compilers, each once. One mistake in a file keeps all of its checks from drawing.
+    void print_messages(const std::vector<check::TaskVerdict>& tasks) {
+        for (const check::TaskVerdict& task : tasks)
+            for (const check::Verdict& result : task.checks) {
+                if (result.outcome != check::Outcome::broken || check::reason_to_wait(result).empty() ||
+                    !messages_.insert(result.found + unfolded_text(result.details).shown).second)
+                    continue;
+                fmt::print("{}\n", colored(result.outcome, result.found));
+                for (const std::string& line : lines_for_terminal(result.details)) fmt::print("{}\n", line);
+                fmt::print("\n");
+            }
+    }
     void print(const check::TaskVerdict& task) {
         fmt::print("{}  {}: {} ({})\n", task.id, task.title, check::points_text(task), task.file);
         if (!task.hint.empty()) fmt::print("  look at: {}\n", without_backticks(task.hint));
         hints_.clear();
-        for (const check::Verdict& result : task.checks) print(result, task);
+        for (size_t i = 0; i < task.checks.size(); ++i) {
+            const check::Verdict& result = task.checks[i];
+            const std::string reason = check::reason_to_wait(result);
+            if (reason.empty()) {
+                print(result, task);
+                continue;
+            }
+            const size_t first = i;
+            while (i + 1 < task.checks.size() && check::reason_to_wait(task.checks[i + 1]) == reason) ++i;
+            const size_t count = i + 1 - first;
+            print_outcome(result.outcome, count == 1 ? result.name : check::count_of_checks(count), reason);
+        }
         for (const std::string& demand : task.not_tested) fmt::print("  not tested here: \"{}\"\n", demand);
     }
 
 private:
+    void print_outcome(check::Outcome outcome, const std::string& name, const std::string& said) const {
+        fmt::print("  {}  {}: {}\n", colored(outcome, fmt::format("{:<10}", check::name_of(outcome))), name, said);
+    }
     void print(const check::Verdict& result, const check::TaskVerdict& task) {
-        const bool is_broken = result.outcome == check::Outcome::broken;
-        const bool is_repeated =
-            is_broken && !messages_.insert(result.found + unfolded_text(result.details).shown).second;
-        fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", check::name_of(result.outcome))),
-                   result.name, is_repeated ? "the same message as above" : result.found);
+        const bool is_repeated = result.outcome == check::Outcome::broken && !messages_.insert(result.found).second;
+        print_outcome(result.outcome, result.name, is_repeated ? "the same message as above" : result.found);
         if (result.outcome < check::Outcome::wrong || result.outcome == check::Outcome::unfinished || is_repeated)
             return;
         for (const std::string& line : lines_for_terminal(result.details)) fmt::print("              {}\n", line);
@@ -131,6 +155,7 @@ int check_own_work(const CheckOptions& options) {
     const auto [tasks, driver] =
         check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits());
 
+    check::keep_points(lab, tasks);
     bool all = true;
     Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
@@ -140,6 +165,7 @@ int check_own_work(const CheckOptions& options) {
             report["tasks"].push_back(check::as_json(task));
             continue;
         }
+        if (&task == &tasks.front()) printer.print_messages(tasks);
         printer.print(task);
     }
     if (json) {

@@ -43,7 +43,7 @@ using ContextChoice = std::optional<ContextKind>;  ///< empty: OSMesa, then EGL
 constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl, gpu (egl, hardware only) or window";
 
 struct CommandEntry {
-    int order;  ///< sort order in --help
+    int order;  ///< in --help: below 10 for students, below 20 for teachers, then for those who maintain the course
     const char *name, *help;
     std::unique_ptr<Command> (*make)();
 };

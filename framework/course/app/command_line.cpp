@@ -24,6 +24,7 @@
 #include "framework/course/check/guarded_drawing.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/window/menu.h"
+#include "framework/library/kit/word_layout.h"
 
 namespace relief::app {
 namespace {
@@ -155,6 +156,40 @@ bool needs_staff(std::span<char* const> arguments) {
     return command == "info" || command == "explain" || (!command.empty() && !has_command(std::string(command)));
 }
 
+constexpr const char* introduction =
+    "Relief: surface detail in OpenGL, lab by lab.\n\n"
+    "relief COMMAND [OPTIONS]    runs a command; relief help COMMAND: its options\n"
+    "relief 03                   opens lab 03 in a window, as relief run 03\n"
+    "relief                      opens the menu; without a display, the course page\n\n"
+    "Examples:\n"
+    "    relief list                        the labs, and your points\n"
+    "    relief check 02 --open             what is wrong in lab 02, with pictures\n"
+    "    relief shot 14 --set view=above    a picture of lab 14\n";
+
+/// Returns the program's own help: its commands by those who need them, in lines of 80 letters.
+std::string help_of_program() {
+    constexpr size_t indent = 13, width = 80;
+    struct Group {
+        const char* title;
+        int end;  ///< of CommandEntry::order
+    };
+    std::string text = introduction;
+    int begin = 0;
+    for (const auto& [title, end] : {Group{"students", 10}, Group{"teachers", 20}, Group{"maintainers", 1000}}) {
+        std::string group;
+        for (const CommandEntry& entry : commands()) {
+            if (entry.order < begin || entry.order >= end) continue;
+            const auto fits = [](const std::string& line) { return line.size() <= width - indent; };
+            const std::vector<std::string> lines = broken_into_lines(entry.help, fits);
+            for (size_t i = 0; i < lines.size(); ++i)
+                group += fmt::format("{:<{}}{}\n", i == 0 ? fmt::format("  {}", entry.name) : "", indent, lines[i]);
+        }
+        if (!group.empty()) text += fmt::format("\nCommands for {}:\n{}", title, group);
+        begin = end;
+    }
+    return text + "\nOptions: --version; --verbose prints each event to standard error\n";
+}
+
 class CommandLine {
 public:
     // A lab's executable, lab-NN, has one lab, so LAB is not needed there.
@@ -176,6 +211,8 @@ public:
             command->options(options);
             sub->callback([this, command] { chosen_ = command; });
         }
+        // After the commands, which have the formatter that the program had when they were added.
+        app_.formatter_fn([](const CLI::App*, const std::string&, CLI::AppFormatMode) { return help_of_program(); });
     }
 
     int run(int argc, char** argv) {
@@ -195,10 +232,7 @@ public:
     }
 
 private:
-    CLI::App app_{
-        "Relief: surface detail in OpenGL, lab by lab.\n"
-        "Without a command: opens the menu window, or makes the gallery if there is no display.\n"
-        "With a lab's number alone, such as 03: runs that lab."};
+    CLI::App app_;
     std::string only_lab_;
     bool verbose_ = false;
     std::vector<std::unique_ptr<Command>> made_;

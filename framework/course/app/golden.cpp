@@ -224,7 +224,7 @@ private:
     std::string labs_, output_, context_ = "auto";
     bool update_ = false;
 };
-RELIEF_COMMAND(GoldenCommand, 8, "golden", "compares pictures with the reference screenshots");
+RELIEF_COMMAND(GoldenCommand, 21, "golden", "compares pictures with the reference screenshots");
 
 }  // namespace
 

@@ -1,11 +1,13 @@
 // relief list: lists the labs, or those of a path through the course.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
 #include "framework/course/app/command.h"
+#include "framework/course/check/last_points.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/manifest/paths.h"
 
@@ -17,14 +19,34 @@ struct ListedLab {
     Manifest manifest;
 };
 
-void print_lab(const ListedLab& one, const char* indent = "") {
+/// The columns of the table, 80 letters wide: numbers end below each other.
+void print_row(const std::string& number, const std::string& name, const std::string& title, const std::string& hours,
+               const std::string& points, const std::string& earned) {
+    fmt::print("{:>2}  {:<22} {:<27} {:>5}  {:>8}  {:>8}\n", number, name, title, hours, points, earned);
+}
+
+void print_heading() { print_row("", "lab", "title", "hours", "points", "earned"); }
+
+void print_lab(const ListedLab& one) {
     const Manifest& manifest = one.manifest;
-    std::string facts;
-    if (manifest.elective) facts = "elective";
-    if (manifest.hours > 0) facts += (facts.empty() ? "" : ", ") + hours_text(manifest.hours);
-    if (!manifest.tasks.empty()) facts += (facts.empty() ? "" : ", ") + points_of_lab(manifest);
-    fmt::print("{}{:02}  {:<24} {}{}\n", indent, one.lab->number, one.lab->name, manifest.title,
-               facts.empty() ? "" : " (" + facts + ")");
+    std::string points = manifest.tasks.empty() ? "" : std::to_string(manifest.points());
+    if (manifest.optional_points() > 0) points += fmt::format(" + {}", manifest.optional_points());
+    print_row(one.lab->two_digits(), one.lab->name, manifest.title + (manifest.elective ? " *" : ""),
+              manifest.hours > 0 ? fmt::format("{:g}", manifest.hours) : "", points,
+              check::last_points(*one.lab, manifest).value_or("-"));
+}
+
+/// Explains the signs in the rows of these labs.
+void print_legend(const std::vector<ListedLab>& labs) {
+    const auto has = [&](const auto& sign) {
+        return std::any_of(labs.begin(), labs.end(), [&](const ListedLab& one) { return sign(one.manifest); });
+    };
+    fmt::print("\n");
+    if (has([](const Manifest& manifest) { return manifest.elective; })) fmt::print("* an elective lab\n");
+    if (has([](const Manifest& manifest) { return manifest.optional_points() > 0; }))
+        fmt::print("+ points of optional tasks\n");
+    fmt::print("earned: at the last check, such as ./relief check {}; -: not checked, or edited since\n",
+               labs.front().lab->two_digits());
 }
 
 void print_path(const CoursePath& path, const std::vector<ListedLab>& labs) {
@@ -35,7 +57,7 @@ void print_path(const CoursePath& path, const std::vector<ListedLab>& labs) {
     for (size_t i = 0; i < weeks.size(); ++i) {
         if (weeks[i].labs.empty()) continue;
         fmt::print("week {}: {}\n", i + 1, hours_text(weeks[i].hours));
-        for (const size_t lab : weeks[i].labs) print_lab(labs[lab], "  ");
+        for (const size_t lab : weeks[i].labs) print_lab(labs[lab]);
         hours += weeks[i].hours;
     }
     fmt::print("together {}\n", hours_text(hours));
@@ -74,12 +96,16 @@ public:
                 print_error(error.what());
                 every_manifest_read = false;
             }
-        if (json_)
+        if (json_) {
             print_json(labs);
-        else if (path)
-            print_path(*path, labs);
-        else
-            for (const ListedLab& one : labs) print_lab(one);
+        } else if (!labs.empty()) {
+            print_heading();
+            if (path)
+                print_path(*path, labs);
+            else
+                for (const ListedLab& one : labs) print_lab(one);
+            print_legend(labs);
+        }
         return every_manifest_read ? 0 : 1;
     }
 
@@ -87,7 +113,7 @@ private:
     bool json_ = false;
     std::string path_ = "all";
 };
-RELIEF_COMMAND(ListCommand, 1, "list", "lists the labs with titles, hours and points");
+RELIEF_COMMAND(ListCommand, 1, "list", "lists the labs with their hours, points, and the points you have");
 
 }  // namespace
 

@@ -36,6 +36,10 @@ public:
             add(percent, 100 * *limit,
                 [&](int digits) { return fmt::format("{} % of the pixels {}", rounded(percent, digits), what); });
     }
+    /// Adds a value with a text that says it.
+    void add_text(const std::string& text, double value, double limit) {
+        add(value, limit, [&](int) { return text; });
+    }
     /// Applies a lower bound to the value that was added last.
     void must_reach(double value, std::optional<double> min) {
         if (!min) return;
@@ -124,8 +128,12 @@ Verdict compare_pictures(const Image& drawn, const Image& expected) {
     Findings findings;
     findings.add_share("are off by more than 2/255",
                        double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small);
-    findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
-                 double(pixels_over_large), "");
+    const size_t many = difference(drawn, expected, large_difference).pixels_over;
+    findings.add_text((many == 0   ? "none"
+                       : many == 1 ? "1 pixel"
+                                   : fmt::format("{} pixels", many)) +
+                          " by more than 32/255",
+                      double(many), double(pixels_over_large));
     return findings.judgement();
 }
 

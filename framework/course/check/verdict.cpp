@@ -122,6 +122,16 @@ std::string points_text(const std::vector<TaskVerdict>& tasks) {
                        hidden == 1 ? " decides" : "s decide");
 }
 
+std::string reason_to_wait(const Verdict& result) {
+    if (result.outcome == Outcome::waiting)  // the sentence is about several checks
+        return result.found.starts_with("waits ") ? "waiting " + result.found.substr(6) : result.found;
+    return result.outcome == Outcome::broken && !result.details.empty()
+               ? "nothing can be drawn: see the message of the compiler"
+               : "";
+}
+
+std::string count_of_checks(size_t count) { return fmt::format("{} check{}", count, count == 1 ? "" : "s"); }
+
 std::string waits_text(const TaskIds& tasks, const char* state) {
     return fmt::format("waits for {} {}, which {} not {} yet", tasks.size() > 1 ? "tasks" : "task", names_of(tasks),
                        tasks.size() > 1 ? "are" : "is", state);

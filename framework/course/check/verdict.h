@@ -106,6 +106,12 @@ std::string points_text(const TaskVerdict& task);
 /// student's course: "5 of 5 public points; 3 more checks decide the rest when it is graded".
 std::string points_text(const std::vector<TaskVerdict>& tasks);
 
+/// Returns why nothing is known about a check: it waits for another task, or a compiler's message keeps it from
+/// drawing. Empty for all others. Reports put these checks behind one line, and the message before all tasks.
+std::string reason_to_wait(const Verdict& result);
+/// "1 check", "5 checks"
+std::string count_of_checks(size_t count);
+
 /// "waits for task 1.2, which is not written yet"; `state` is "written" or "right".
 std::string waits_text(const TaskIds& tasks, const char* state);
 

@@ -15,16 +15,24 @@
 namespace relief::pages {
 namespace {
 
+/// Checks of a task that nothing is found out about for one reason.
+struct Blocked {
+    std::string reason;
+    List checks = {};
+};
+
 /// `told` holds the probes of the task whose colours an unfolded check above explains.
 Fields fields_of(const Manifest& manifest, const check::Verdict& result, std::set<std::string>& told) {
     const CheckInfo& check = manifest.check(result.name);
     const bool passed = result.outcome == check::Outcome::passed;
+    const bool is_open = !passed && check::reason_to_wait(result).empty();
     Fields pictures = check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related);
-    if (!passed) tell_once(pictures, told);
+    if (is_open) tell_once(pictures, told);
     return {{"name", check.name},
             {"quoted", quoted_for_shell(check.name)},
             {"badge", badge(result.outcome)},
-            {"open", !passed},
+            {"open", is_open},
+            {"why", passed || is_open ? "" : result.found},
             {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
             {"found", result.found},
             {"allowed", check.reason},
@@ -69,6 +77,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
     List shown;
     for (const check::TaskVerdict& task : tasks) {
         List checks;
+        std::vector<Blocked> blocked;
         std::set<std::string> hints, told;  // each once in a task
         for (const check::Verdict& result : task.checks) {
             Fields fields = fields_of(manifest, result, told);
@@ -77,8 +86,18 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
             const std::string hint = look_at(result);
             const bool is_new = is_told && !hint.empty() && hints.insert(hint).second;
             fields["look_at"] = is_new ? rows(with_code(hint).list) : Value();
-            checks.push_back(std::move(fields));
+            const std::string reason = check::reason_to_wait(result);
+            if (reason.empty()) {
+                checks.push_back(std::move(fields));
+                continue;
+            }
+            if (blocked.empty() || blocked.back().reason != reason) blocked.push_back({reason});
+            blocked.back().checks.push_back(std::move(fields));
         }
+        List groups;
+        for (Blocked& group : blocked)
+            groups.push_back(Fields{{"reason", check::count_of_checks(group.checks.size()) + ": " + group.reason},
+                                    {"checks", std::move(group.checks)}});
         List not_tested;
         for (const std::string& demand : task.not_tested) not_tested.push_back(Fields{{"demand", demand}});
         shown.push_back(Fields{{"id", task.id},
@@ -88,7 +107,8 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"points", check::points_text(task)},
                                {"not_tested", std::move(not_tested)},
                                {"worst", badge(worst(task))},
-                               {"checks", std::move(checks)}});
+                               {"checks", std::move(checks)},
+                               {"blocked", std::move(groups)}});
     }
     const std::string number = lab.two_digits(),
                       reached = check::points_text(std::round(check::sum_of(tasks).points * 100) / 100);

@@ -76,6 +76,24 @@ void draw_result(const CheckInfo& check, const check::Verdict& result) {
     ImGui::Unindent();
 }
 
+/// Draws a check's sign and its name, and below a failing one the reason. A click chooses it.
+void draw_check(const CheckInfo& check, const std::optional<check::Verdict>& result, bool waits, bool is_chosen,
+                MenuWish& wish) {
+    const Sign sign = sign_of(result);
+    ImGui::TextColored(waits ? quiet : sign.color, "%s", sign.sign);
+    ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
+                    ImGui::GetStyle().ItemSpacing.x);
+    if (wrapped_selectable(check.name, is_chosen)) wish.check = is_chosen ? "" : check.name;
+    if (!result) return;
+    if (is_chosen) return draw_result(check, *result);
+    if (result->outcome < check::Outcome::wrong || result->outcome == check::Outcome::unfinished ||
+        !check::reason_to_wait(*result).empty())
+        return;
+    ImGui::Indent();
+    quiet_text(result->found);
+    ImGui::Unindent();
+}
+
 }  // namespace
 
 void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& wish) {
@@ -103,17 +121,25 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         ImGui::PopID();
         tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
         if (const std::string hint = checks.hint(task); !hint.empty()) draw_hint(hint);
+        std::vector<std::pair<std::string, std::vector<size_t>>> blocked;  // checks by the reason that they wait for
         for (size_t i = 0; i < manifest.checks.size(); ++i) {
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
             const auto& result = checks.result(i);
-            const Sign sign = sign_of(result);
-            ImGui::TextColored(checks.waits(i) ? quiet : sign.color, "%s", sign.sign);
-            ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
-                            ImGui::GetStyle().ItemSpacing.x);
-            const bool is_chosen = check.name == chosen;
-            if (wrapped_selectable(check.name, is_chosen)) wish.check = is_chosen ? "" : check.name;
-            if (is_chosen && result) draw_result(check, *result);
+            const std::string reason = result ? check::reason_to_wait(*result) : "";
+            if (reason.empty() || check.name == chosen) {
+                draw_check(check, result, checks.waits(i), check.name == chosen, wish);
+                continue;
+            }
+            if (blocked.empty() || blocked.back().first != reason) blocked.push_back({reason, {}});
+            blocked.back().second.push_back(i);
+        }
+        for (const auto& [reason, waiting] : blocked) {
+            quiet_text(check::count_of_checks(waiting.size()) + ": " + reason);
+            if (!ImGui::TreeNode((task.id + reason).c_str(), "show them")) continue;
+            for (const size_t i : waiting)
+                draw_check(manifest.checks[i], checks.result(i), checks.waits(i), false, wish);
+            ImGui::TreePop();
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
+#include "framework/course/check/last_points.h"
 
 namespace relief::window {
 namespace fs = std::filesystem;
@@ -103,6 +104,7 @@ void Checks::run_next(const std::string& first) {
         print_event(fmt::format("task {}, look at: {}", task.id, without_backticks(task.hint)));
         hints_[task.id] = std::move(task.hint);
     }
+    check::keep_points(*lab_, tasks());
     print_event("checks: " + points());
 }
 

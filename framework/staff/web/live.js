@@ -437,7 +437,10 @@ const show_result = (index, {outcome, found, details, look_at}) => {
   const row = rows.get(index);
   row.className = "row " + outcome;
   row.querySelector("b").textContent = words[outcome] ?? outcome;
-  row.querySelector("small").textContent = [found, look_at && "look at " + look_at, details].filter(Boolean).join("; ");
+  // A compiler's message stands once, at the top.
+  row.querySelector("small").textContent = outcome === "broken" && details && $("problem").textContent.startsWith(found)
+    ? "the message above keeps it from drawing"
+    : [found, look_at && "look at " + look_at, details].filter(Boolean).join("; ");
   if (row.nextElementSibling?.className === "seen") row.nextElementSibling.remove(), toggle_pictures(index);
 };
 

@@ -290,7 +290,7 @@ TEST_F(CourseTest, ADriverWithoutOptionalExtensionsGivesTheSamePictures) {
 }
 
 TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
-    EXPECT_TRUE(contains(course().relief({"list"}).out, "01  specular_highlights      Specular highlights"));
+    EXPECT_TRUE(contains(course().relief({"list"}).out, "01  specular_highlights    Specular highlights"));
     const std::string json = course().relief({"list", "--json"}).out;
     EXPECT_TRUE(json.starts_with("[")) << json;
     EXPECT_TRUE(contains(json, "\"number\": 1,")) << json;
@@ -623,6 +623,9 @@ TEST_F(CourseTest, TheCheckPageShowsTheExpectedPictureOrTheCompilerMessage) {
     EXPECT_TRUE(contains(broken, "&lt;cde&gt;") && contains(broken, "^\n</pre>")) << "with its source line";
     EXPECT_TRUE(contains(broken, "waits for task 2.1"));
     EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
+    const size_t blocked = broken.find("<details class=\"blocked\">");
+    EXPECT_TRUE(contains(broken.substr(blocked, 200), "nothing can be drawn: see the message of the compiler"));
+    EXPECT_EQ(count(broken, "<details class=\"check\" open"), 0) << "nothing else is there to read";
 }
 
 TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {

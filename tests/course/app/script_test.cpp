@@ -185,18 +185,21 @@ std::set<std::string> commands_in(const std::string& help, const std::string& he
 }
 
 TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
-    // The program's own help, without the line breaks of its columns. CLI11 has capitals since 2.5.
-    const std::string help = std::regex_replace(run({relief_program(), "--help"}).out, std::regex("\n {6,}"), " ");
-    const std::set<std::string> program =
-        commands_in(help, contains(help, "SUBCOMMANDS:") ? "SUBCOMMANDS:" : "Subcommands:");
-    std::set<std::string> students = commands_in(script({"--help"}).out, "Commands:");
+    const auto commands_of = [](const Result& help) {
+        std::istringstream lines(help.out);
+        for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << line;
+        // Without the line breaks of a column.
+        return commands_in(std::regex_replace(help.out, std::regex("\n {6,}"), " "), "Commands for students:");
+    };
+    const std::set<std::string> program = commands_of(run({relief_program(), "--help"}));
+    std::set<std::string> students = commands_of(script({"--help"}));
     EXPECT_LT(students.size(), program.size());
     for (const char* staff : {"bench", "handout", "grade", "web", "slides", "mistakes", "synctest", "map", "questions"})
         for (const std::string& one : program)
             if (one.starts_with(std::string(staff) + ":")) students.insert(one);
     EXPECT_EQ(students, program);
     copy_commands("staff");
-    EXPECT_EQ(commands_in(script({"--help"}).out, "Commands:"), program);
+    EXPECT_EQ(commands_of(script({"--help"})), program);
 }
 
 TEST_F(Script, InstallsCcacheBeforeTheFirstConfigure) {

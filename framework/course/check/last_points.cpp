@@ -1,0 +1,50 @@
+#include "framework/course/check/last_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+
+namespace relief::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path file_of(const LabEntry& lab) { return course_root() / "build" / "check" / (lab.folder + ".points"); }
+
+}  // namespace
+
+void keep_points(const LabEntry& lab, const std::vector<TaskVerdict>& tasks) {
+    const PointSum sum = sum_of(tasks), optional = sum_of(tasks, true);
+    std::string text = points_text(sum.points);
+    if (optional.of > 0) text += " + " + points_text(optional.points);
+    try {
+        make_folder(file_of(lab).parent_path());
+        write_file(file_of(lab), text);
+    } catch (const Error&) {
+        // A course that one may only read has no memory of its checks.
+    }
+}
+
+std::optional<std::string> last_points(const LabEntry& lab, const Manifest& manifest) {
+    std::error_code none;
+    const fs::file_time_type kept = fs::last_write_time(file_of(lab), none);
+    if (none) return {};
+    const bool is_newer = std::any_of(manifest.tasks.begin(), manifest.tasks.end(), [&](const TaskInfo& task) {
+        const fs::file_time_type changed = fs::last_write_time(course_root() / task.file, none);
+        return none || changed > kept;
+    });
+    if (is_newer) return {};
+    try {
+        return read_file(file_of(lab), 100);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace relief::check
