@@ -265,7 +265,7 @@ private:
         return pages::render({.title = "Relief: the labs",
                               .body = "index",
                               .styles = {"site", "index"},
-                              .scripts = {},
+                              .scripts = {"index"},
                               .pictures = pages::PagePictures::beside},
                              {{"hero", hero_},
                               {"labs", labs_.size()},

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
 #include "framework/course/app/shot.h"
 #include "framework/course/pages/check_figures.h"
@@ -25,6 +27,17 @@ namespace fs = std::filesystem;
 
 /// The longer side of a picture, in pixels: enough for a large screen, where three pictures fill a line of the page.
 constexpr int large = 480;
+
+/// Below this, all of a picture looks like one colour.
+constexpr double least_contrast = 0.03;
+
+/// Returns the standard deviation of a picture's values, in [0, 0.5]; 0 without a picture.
+double contrast_of(const Image& picture) {
+    double sum = 0, squares = 0;
+    for (const float value : picture.values) sum += double(value), squares += double(value) * double(value);
+    const double count = std::max<double>(1, double(picture.values.size()));
+    return std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
+}
 
 /// Draws a mistake's pictures and describes it: the contents of an article of the page.
 class MistakeArticle {
@@ -49,7 +62,8 @@ public:
             fields["badge"] = pages::badge(picture.said.outcome);
             fields["found"] = picture.said.found;
             pages::List shown = figures(picture);
-            if (!shown.empty()) picture_ = shown.front().fields.at("src").text;
+            if (!shown.empty())
+                picture_ = (clearest_ < shown.size() ? shown[clearest_] : shown.front()).fields.at("src").text;
             fields["figures"] = std::move(shown);
         } catch (const pages::CannotWrite&) {
             throw;
@@ -80,7 +94,7 @@ private:
                 {"edits", std::move(edits)}};
     }
 
-    pages::List figures(const grade::MistakePicture& picture) const {
+    pages::List figures(const grade::MistakePicture& picture) {
         const CheckInfo& check = *picture.check;
         const pages::ComparedImages shown = pages::compare_images(
             picture.is_probe ? &manifest_.probe(check.shot.probe.name) : nullptr, picture.wrong, picture.right);
@@ -101,6 +115,8 @@ private:
             pages::write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
             all.push_back(pages::figure(image, file, kind, caption, check.name + alt, std::move(scale)));
         };
+        // A picture of one colour says nothing in the index: there the difference stands for it.
+        clearest_ = contrast_of(shown.drawn) < least_contrast && contrast_of(shown.difference) > least_contrast ? 2 : 0;
         add(number, shown.drawn, "mine", "with the mistake" + what, ", with the mistake");
         add(right, shown.expected, "expected", "right", ", as it should be");
         add(number + "-difference", shown.difference, "difference", "where they differ",
@@ -114,6 +130,7 @@ private:
     const Manifest& manifest_;
     const MistakeInfo& mistake_;
     std::string problem_, picture_, words_;
+    size_t clearest_ = 0;  ///< index of the figure that stands for the mistake
 };
 
 /// The mistakes of one task. One process draws them all, because they share the solution's pictures.
@@ -215,7 +232,8 @@ pages::Value demands_of(const Manifest& manifest, const std::string& task) {
         examples.push_back(pages::Fields{{"asks", example.asks}, {"calls", std::move(calls)}});
     }
     if (examples.empty()) return {};
-    return pages::Fields{{"count", examples.size()}, {"examples", std::move(examples)}};
+    return pages::Fields{{"count", fmt::format("{} demand{}", examples.size(), examples.size() == 1 ? "" : "s")},
+                         {"examples", std::move(examples)}};
 }
 
 std::string page_of(const std::vector<const LabEntry*>& labs, int count, const Drawn& drawn) {
@@ -230,8 +248,11 @@ std::string page_of(const std::vector<const LabEntry*>& labs, int count, const D
                 if (mistake.task != task.id) continue;
                 const Drawn::One& one = drawn.mistakes.at(lab->two_digits() + " " + mistake.id);
                 const std::string place = lab->two_digits() + "-" + mistake.id;
-                mistakes.push_back(pages::Fields{
-                    {"id", mistake.id}, {"place", place}, {"picture", one.picture}, {"words", one.words}});
+                mistakes.push_back(pages::Fields{{"id", mistake.id},
+                                                 {"hint", without_backticks(mistake.hint)},
+                                                 {"place", place},
+                                                 {"picture", one.picture},
+                                                 {"words", one.words}});
                 articles.push_back(pages::Fields{
                     {"id", mistake.id},
                     {"place", place},
