@@ -11,16 +11,22 @@ float relaxed_gap(ReliefRay ray, float t) {
 }
 
 //(relaxed
-// As first_hit() below. The hit is the last place above the surface, so that it does not shade itself.
+// Returns the t at which the ray leaves the cone above its texel. Until then it may have entered the surface.
+float leave_cone(ReliefRay ray, float t, float gap) {
+    float cone = textureLod(s_relaxed, relaxed_uv(ray, t), 0.0).r, wall = length(ray.along) / max(cone, 1e-9);
+    float falls = -(ray.height.y + 2.0 * t * ray.height.z);
+    return t + gap / max(falls + wall, 1e-9);
+}
+//)
+
+// As first_hit() of search.glsl. The hit is the last place above the surface, so that it does not shade itself.
 ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before) {
     const int steps = 15, bisections = 8;
-    float above = t, gap = relaxed_gap(ray, t), across = length(ray.along);
+    float above = t, gap = relaxed_gap(ray, t);
     int i = 0;
     for (; i < steps && gap > 0.0 && t < t_end; ++i) {
-        float falls = -(ray.height.y + 2.0 * t * ray.height.z);
-        float wall = across / max(textureLod(s_relaxed, relaxed_uv(ray, t), 0.0).r, 1e-9);
         above = t;
-        t = min(t + gap / max(falls + wall, 1e-9), t_end);
+        t = min(leave_cone(ray, t, gap), t_end);
         gap = relaxed_gap(ray, t);
     }
     if (gap > 0.0) return ReliefHit(t, t >= t_end, t < t_end, i + 1);
@@ -31,4 +37,3 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
     }
     return ReliefHit(above, false, false, i + 1 + bisections);
 }
-//)
