@@ -51,6 +51,9 @@ public:
         knobs.slider("light_yaw", light_yaw_, -180, 180,
                      KnobHelp("direction of the lamp around the colonnade").in("degrees"));
         knobs.slider("light_height", light_height_, 0.1f, 5, KnobHelp("height of the lamp").in("metres"));
+        knobs.choice("brdf", brdf_, brdfs.names,
+                     KnobHelp("shape of the highlight: Blinn-Phong's, or that of most engines, as wide and with a tail")
+                         .only("terminator", {"none", "step", "chiang"}));
         knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("terminator", terminator_, terminators.names,
@@ -66,6 +69,8 @@ public:
 
 private:
     enum Method { vertex_normal, normal_map, side_by_side, wipe };
+    enum Brdf { by_blinn_phong, by_ggx };
+    static constexpr auto brdfs = choices<Brdf>({{by_blinn_phong, "blinn-phong"}, {by_ggx, "ggx", "GGX"}});
     enum Terminator { no_shadow, by_step, chiang, schuessler };
     static constexpr auto terminators = choices<Terminator>({{no_shadow, "none"},
                                                              {by_step, "step", "TERMINATOR_STEP"},
@@ -83,7 +88,8 @@ private:
         const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
         const glm::vec3 light = lamp_at(light_yaw_, 2.8f, light_height_);
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : "",
-                                                with_map && !frame.probe ? terminators.define(terminator_) : ""});
+                                                with_map && !frame.probe ? terminators.define(terminator_) : "",
+                                                frame.probe ? "" : brdfs.define(brdf_)});
         glUseProgram(surface);
         const glm::dmat4 clip_from_world = camera.clip_from_world();
         surface.set("u_clip_from_world", clip_from_world);
@@ -139,7 +145,7 @@ private:
 
     static constexpr float lamp_scale = 0.15f;  // relative to a ball
 
-    int method_ = wipe, terminator_ = no_shadow;
+    int method_ = wipe, brdf_ = by_blinn_phong, terminator_ = no_shadow;
     float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
 };
 

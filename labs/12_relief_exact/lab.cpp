@@ -1,7 +1,7 @@
 // Lab 12: the exact hit.
 //
-// The exact first hit of the view ray and the relief, with five ways to skip places that it cannot hit. Shadow, depth
-// and outline follow from the hit. Your tasks: shaders/12_relief_exact/task.glsl
+// The exact first hit of the view ray and the relief, with five ways to skip places that it cannot hit, and one that is
+// not safe. Shadow, depth and outline follow from the hit. Your tasks: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
 
 #include <glm/gtc/constants.hpp>
@@ -61,8 +61,9 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
-        knobs.choice("method", method_, methods.names, "how the search skips; the hit is the same");
+        knobs.choice("view", view_, views, "reliefs and a ball, every exact method, or one method");
+        knobs.choice("method", method_, methods.names,
+                     "how the search skips; the hit is the same, except with relaxed");
         knobs.choice("show", show_, shows, "the light, the iterations of each pixel, or half of each");
         knobs.choice("shadow", shadow_, shadows.names,
                      "shadow of the relief on itself: by search, or guessed from normals");
@@ -99,7 +100,7 @@ private:
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
-        return tiles_of(size, view_ == compare ? int(methods.size()) : 1, below);
+        return tiles_of(size, view_ == compare ? exact_methods : 1, below);
     }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
 

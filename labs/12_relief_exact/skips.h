@@ -10,15 +10,18 @@
 #include "framework/library/kit/relief_surface.h"
 #include "framework/library/maps/bounds.h"
 #include "framework/library/maps/skips.h"
+#include "relaxed_cones.h"
 
 namespace relief::exact {
 
-enum Method : int { walk, coarse, windows, max_mip, cones };
+enum Method : int { walk, coarse, windows, max_mip, cones, relaxed };
 inline constexpr auto methods = choices<Method>({{walk, "walk"},
                                                  {coarse, "coarse", "COARSE"},
                                                  {windows, "windows", "WINDOWS"},
                                                  {max_mip, "max-mips", "MAX_MIPS"},
-                                                 {cones, "cones", "CONES"}});
+                                                 {cones, "cones", "CONES"},
+                                                 {relaxed, "relaxed", "RELAXED"}});
+constexpr int exact_methods = 5;  ///< the first five return the same hit
 
 class Skips {
 public:
@@ -48,6 +51,7 @@ private:
     Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(surface_.heights()); }, {.mips = false}};
     Texture bounds_{"bounds", [this] { return min_max_atlas(surface_.heights()); }, {.mips = false}};
     Texture cones_{"cones", [this] { return cone_map(surface_.heights()); }, {.mips = false}};
+    Texture relaxed_{"relaxed cones", [this] { return relaxed_cone_map(surface_.heights()); }, {.mips = false}};
 };
 
 }  // namespace relief::exact

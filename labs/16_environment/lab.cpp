@@ -51,6 +51,8 @@ public:
         knobs.slider("roughness", roughness_, 0, 1, "1 makes everything rough");
         knobs.choice("normal_for", normal_for_, normal_fors.names,
                      "what the bumped normal serves: all, or only the lamps");
+        knobs.choice("mirror_occlusion", mirror_occlusion_, mirror_occlusions.names,
+                     "what hides the mirrored sky: nothing, the occlusion of the sky's light, or a guess from it");
         knobs.toggle("seamless", seamless_, "filter across the edges of the cube map");
         knobs.group("Shadow of the sun");
         knobs.toggle("shadow", shadow_.on, "the sun's shadow");
@@ -109,7 +111,8 @@ private:
                 .shadow = shadow_.on,
                 .ao = occlusion_.on,
                 .occlusion = map_occlusion_,
-                .light_only = normal_for_ == lamps_only};
+                .light_only = normal_for_ == lamps_only,
+                .mirror_occlusion = mirror_occlusion_ != int(MirrorOcclusion::none)};
     }
 
     // ---- views
@@ -161,7 +164,9 @@ private:
     // ---- passes
 
     bool has_shadow(const Define& purpose) const { return shadow_.on && shows(purpose, "shadow"); }
-    bool has_occlusion(const Define& purpose) const { return occlusion_.on && shows(purpose, "occlusion"); }
+    bool has_occlusion(const Define& purpose) const {
+        return occlusion_.on && (shows(purpose, "occlusion") || purpose.text == "PROBE_mirror_open");
+    }
 
     void draw_shadow(const Define& purpose) {
         if (has_shadow(purpose)) shadow_.draw(stage_, light_.direction<double>());
@@ -192,7 +197,7 @@ private:
         const bool has_sky = reflection_ && shows(purpose, "reflection");
         return surface_.with({purpose, material == Material::floor ? "FLOOR" : "", stage_.displaced(material),
                               has_sky ? "REFLECTION" : "", fresnels.define(fresnel_), glosses.define(gloss_),
-                              has_shadow(purpose) ? "SHADOW" : "",
+                              mirror_occlusions.define(mirror_occlusion_), has_shadow(purpose) ? "SHADOW" : "",
                               SunShadow::biases.define(has_shadow(purpose) ? shadow_.bias : SunShadow::none),
                               has_occlusion(purpose) ? "AO" : "", map_occlusion_ ? "OCCLUSION" : "",
                               fmt::format("LAMPS {}", lamps_), normal_fors.define(normal_for_),
@@ -232,6 +237,7 @@ private:
     Labels labels_;
 
     int view_ = court_, fresnel_ = int(Fresnel::schlick), gloss_ = int(Gloss::map), normal_for_ = all_lights;
+    int mirror_occlusion_ = int(MirrorOcclusion::none);
     int lamps_ = 2, level_ = mip;
     bool reflection_ = true, seamless_ = true, map_occlusion_ = true;
     float exponent_ = 256, roughness_ = 0;

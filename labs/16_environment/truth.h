@@ -16,6 +16,13 @@ enum class Gloss { map, even, mirror };
 inline constexpr auto glosses = choices<Gloss>(
     {{Gloss::map, "map"}, {Gloss::even, "even", "GLOSS_EVEN"}, {Gloss::mirror, "mirror", "GLOSS_MIRROR"}});
 
+/// A guess of the share of the mirrored lobe that nothing hides, from the share of the sky.
+enum class MirrorOcclusion { none, as_sky, lagarde };
+inline constexpr auto mirror_occlusions =
+    choices<MirrorOcclusion>({{MirrorOcclusion::none, "none"},
+                              {MirrorOcclusion::as_sky, "as-sky", "MIRROR_AS_SKY"},
+                              {MirrorOcclusion::lagarde, "lagarde", "MIRROR_LAGARDE"}});
+
 /// A scene, its lights, and the terms of the lighting that are switched on.
 struct Lighting {
     Scene scene;
@@ -30,6 +37,7 @@ struct Lighting {
     Fresnel fresnel = Fresnel::schlick;
     Gloss gloss = Gloss::map;
     bool reflection = true, shadow = true, ao = true, occlusion = true, light_only = false;
+    bool mirror_occlusion = false;  ///< the mirrored sky is hidden by what is in its way
 };
 
 /// The terms of the light that leaves a place. `occlusion` and `shadow` are 1 where nothing hides the sky or the sun;
@@ -48,6 +56,7 @@ struct Terms {
 ///  - `exponent`: exponent of the highlight
 ///  - `shadow`: 1 where the sun is visible, else 0
 ///  - `occlusion`: share of the sky that is visible, by 1024 rays
+///  - `mirror_open`: share of the mirrored lobe that meets the sky, by 88 rays of equal weight
 ///  - `light`: linear light that leaves the place
 inline FromStaff<std::optional<Image>(const Frame& frame, const Lighting& lighting)> truth;
 /// Returns the exact terms at the place that a ray hits, or nothing if it hits no surface.

@@ -95,11 +95,12 @@ private:
     void draw_wall(const Frame& frame, int blend, int filter, const Define& purpose) {
         const bool is_lit = purpose.text.empty(), is_compared = !is_lit && !frame.probe;
         const bool has_highlight = is_lit || frame.probe.name == "highlight" || frame.probe.name == "variance";
-        const Program& program =
-            wall_.with({purpose, frame.probe, Settings::blends.define(blend),
-                        is_compared ? Settings::questions.define(settings_.question) : "",
-                        has_highlight ? Settings::filters.define(filter) : "", settings_.grain == 0 ? "NO_DETAIL" : "",
-                        has_highlight && filter == Settings::samples ? "SIDE 32" : ""});
+        const Program& program = wall_.with({purpose, frame.probe, Settings::blends.define(blend),
+                                             is_compared ? Settings::questions.define(settings_.question) : "",
+                                             has_highlight ? Settings::filters.define(filter) : "",
+                                             has_highlight ? Settings::brdfs.define(settings_.brdf) : "",
+                                             settings_.grain == 0 ? "NO_DETAIL" : "",
+                                             has_highlight && filter == Settings::samples ? "SIDE 32" : ""});
         glUseProgram(program);
         const Frame seen = settings_.seen(frame);
         set_rays(program, seen);

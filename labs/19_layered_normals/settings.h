@@ -37,10 +37,13 @@ struct Settings {
                                                      {toksvig, "toksvig", "FILTER_TOKSVIG"},
                                                      {lean, "lean", "FILTER_LEAN"},
                                                      {samples, "samples", "FILTER_SAMPLES"}});
+    enum Brdf { blinn_phong, ggx };
+    static constexpr auto brdfs = choices<Brdf>({{blinn_phong, "blinn-phong"}, {ggx, "ggx", "GGX"}});
     enum Shape { sphere, rock, cube };
     static constexpr auto shapes = choices<Shape>({{sphere, "sphere"}, {rock, "rock", "ROCK"}, {cube, "cube", "CUBE"}});
 
-    int view = wall, blend = pd, question = heights_add, mapping = exact, filter = lean, shape = rock;
+    int view = wall, blend = pd, question = heights_add, mapping = exact, filter = lean, brdf = blinn_phong,
+        shape = rock;
     float stones = 1, grain = 0.8f, fade = 30, tiles = 5, sharpness = 4, shininess = 400;
     DistantLight light{.yaw = -62, .pitch = 26};
 
@@ -50,6 +53,10 @@ struct Settings {
         if (probe.name == "detail" || probe.name == "variance" || probe.name == "highlight") return false;
         return view == solid || view == six_mappings;
     }
+
+    /// Returns one over the variance of the slopes of a texel. GGX has alpha² = 2 / (shininess + 2), which counts as
+    /// twice a variance.
+    double precision() const { return double(shininess) + (brdf == ggx ? 2 : 0); }
 
     /// Returns the strengths of stones and grain. A far wall is worn, or its highlight would cover the whole of it.
     glm::vec2 strengths() const { return glm::vec2(stones, grain) * (view == far_walls ? 0.3f : 1.0f); }
@@ -101,6 +108,10 @@ struct Settings {
         knobs.group("Highlight");
         knobs.choice("filter", filter, filters.names,
                      KnobHelp("what a highlight knows of the slopes within a pixel").only("view", {"wall"}));
+        knobs.choice(
+            "brdf", brdf, brdfs.names,
+            KnobHelp("the highlight of a texel: Blinn-Phong as a Gaussian of slopes, or GGX with its long tail")
+                .only("view", {"wall", "blends", "far"}));
         knobs.slider(
             "shininess", shininess, 1, 4096,
             KnobHelp("one over the variance of the slopes of a texel").only("view", {"wall", "blends", "far"}));

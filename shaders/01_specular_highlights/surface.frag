@@ -3,6 +3,7 @@
 
 #include "common/unfinished.glsl"
 #include "01_specular_highlights/task.glsl"
+#include "01_specular_highlights/ggx.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
 #include "common/terminator.glsl"
@@ -47,7 +48,11 @@ vec3 reflected(vec3 albedo, vec3 normal, vec3 to_light, vec3 to_eye) {
 #ifdef TERMINATOR_SCHUESSLER
     return blinn_phong_on_facets(albedo, 0.16, u_shininess, base, normal, to_light, to_eye);
 #else
+#ifdef GGX
+    vec3 light = ggx(albedo, 0.16, u_shininess, normal, to_light, to_eye);
+#else
     vec3 light = blinn_phong(albedo, 0.16, u_shininess, normal, to_light, to_eye);
+#endif
 #if defined TERMINATOR_STEP
     light *= step(0.0, dot(base, to_light));
 #elif defined TERMINATOR_CHIANG

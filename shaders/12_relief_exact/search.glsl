@@ -1,5 +1,7 @@
 // The exact first hit of a ray and a height map: one test of a cell, and five methods to skip cells without a hit.
 //
+// RELAXED is another search, for comparison: see relaxed.glsl.
+//
 // Each iteration tests one cell, the bilinear surface between four texel centres. Then it advances to a place that the
 // ray reaches without a hit, at least to the next cell. So the methods have the same result. They differ in the number
 // and the cost of their iterations. Each is a file with one function, next_t().
@@ -44,6 +46,9 @@ vec4 above_until(Look at, vec4 clearance) {
     return at.t + (height_of(at.ray, at.t) - 1.0 + clearance) / max(falls, 1e-9);
 }
 
+#ifdef RELAXED
+#include "12_relief_exact/relaxed.glsl"
+#else
 #if defined COARSE
 #include "12_relief_exact/coarse.glsl"
 #elif defined WINDOWS
@@ -99,3 +104,4 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
     return ReliefHit(missed ? t_end : t, missed, stopped, iteration + 1);
 }
 //)
+#endif

@@ -156,6 +156,21 @@ float occlusion_at(Surface surface) {
 #endif
 }
 
+//(mirror-open
+// Returns a guess of the share of the mirrored lobe that nothing hides, where `open` is the share of the sky.
+float mirror_open(Surface surface, vec3 to_eye, vec3 normal, float open) {
+#if defined MIRROR_AS_SKY
+    return open;
+#elif defined MIRROR_LAGARDE
+    // Lagarde and de Rousiers 2014. A half vector's exponent is four times that of a mirrored direction.
+    float alpha = inversesqrt(2.0 * surface.exponent + 1.0), facing = clamp(dot(normal, to_eye), 0.0, 1.0);
+    return clamp(pow(facing + open, exp2(-16.0 * alpha - 1.0)) - 1.0 + open, 0.0, 1.0);
+#else
+    return 1.0;
+#endif
+}
+//)
+
 // ---- the lights
 
 vec3 ambient_at(Surface surface) { return surface.albedo * mix(u_ambient[0], u_ambient[1], 0.5 + 0.5 * surface.normal.y); }
@@ -213,6 +228,8 @@ void main() {
     o_color = probed(vec4(shadow_at(surface), 0.0, 0.0, 0.0));
 #elif defined PROBE_occlusion
     o_color = probed(vec4(open_at(), 0.0, 0.0, 0.0));
+#elif defined PROBE_mirror_open
+    o_color = probed(vec4(mirror_open(surface, to_eye, mirror_normal, open_at()), 0.0, 0.0, 0.0));
 #elif defined SHOW_ambient
     o_color = shown(exposed(ambient_at(surface)));
 #elif defined SHOW_lamps
@@ -231,6 +248,9 @@ void main() {
     float share = share_at(surface, to_eye, mirror_normal);
 #ifdef REFLECTION
     mirror = share * mirrored_sky(surface, to_eye, mirror_normal);
+#if defined MIRROR_AS_SKY || defined MIRROR_LAGARDE
+    mirror *= mirror_open(surface, to_eye, mirror_normal, occlusion);
+#endif
 #endif
     vec3 light = sum_of_light(ambient, lamps, mirror, occlusion);
 #if defined TERMS

@@ -121,9 +121,31 @@ void add_moments(inout vec2 mean, inout vec3 variance, sampler2D slopes, sampler
     variance += strength * strength * (vec3(texel.zw, product) - vec3(texel.xy * texel.xy, texel.x * texel.y));
 }
 
+// Returns one over the variance of the slopes of a texel. A Blinn-Phong lobe is nearly a Gaussian of slopes. GGX has
+// alpha^2 = 2 / (shininess + 2), which counts as twice a variance.
+//(ggx
+float texel_precision() {
+#ifdef GGX
+    return u_shininess + 2.0;
+#else
+    return u_shininess;
+#endif
+}
+
+// Returns a lobe, 1 in its middle. `spread` is the square of the distance from there, in variances.
+float falls(float spread) {
+#ifdef GGX
+    float tail = 1.0 + 0.5 * spread;  // alpha^2 is twice the variance
+    return 1.0 / (tail * tail);
+#else
+    return exp(-0.5 * spread);
+#endif
+}
+//)
+
 // Returns the variance of the slopes that the highlight of a pixel counts on, by the knob `filter`.
 float variance_of(Layers layers, Place place) {
-    float variance = 1.0 / u_shininess;
+    float variance = 1.0 / texel_precision();
 #if defined FILTER_TOKSVIG
     variance += u_strength.x * u_strength.x * lost_variance(layers.base_texel.xyz);
     if (layers.strength > 0.0) variance += layers.strength * layers.strength * lost_variance(layers.detail_texel.xyz);
@@ -145,23 +167,23 @@ float highlight(Layers layers, Place place) {
             vec2 slope = u_strength.x * textureLod(s_base_slopes, position / u_tile.x, 0.0).xy;
             if (layers.strength > 0.0) slope += layers.strength * textureLod(s_detail_slopes, position / u_tile.y, 0.0).xy;
             slope -= wanted_slope(place.to_eye);
-            sum += exp(-0.5 * u_shininess * dot(slope, slope));
+            sum += falls(texel_precision() * dot(slope, slope));
         }
     return sum / float(SIDE * SIDE);
 #elif defined FILTER_LEAN
     vec2 mean = vec2(0.0);
-    vec3 variance = vec3(1.0, 1.0, 0.0) / u_shininess;
+    vec3 variance = vec3(1.0, 1.0, 0.0) / texel_precision();
     add_moments(mean, variance, s_base_slopes, s_base_bends, place.position / u_tile.x, level_of(place, u_tile.x), u_strength.x);
     if (layers.strength > 0.0)
         add_moments(mean, variance, s_detail_slopes, s_detail_bends, place.position / u_tile.y, level_of(place, u_tile.y), layers.strength);
     mat2 sigma = mat2(variance.x, variance.z, variance.z, variance.y);
     vec2 off = wanted_slope(place.to_eye) - mean;
-    return exp(-0.5 * dot(off, inverse(sigma) * off)) / (u_shininess * sqrt(determinant(sigma)));
+    return falls(dot(off, inverse(sigma) * off)) / (texel_precision() * sqrt(determinant(sigma)));
 #else
     vec3 normal = normal_of(layers);
     float variance = variance_of(layers, place);
     vec2 off = wanted_slope(place.to_eye) + normal.xy / normal.z;
-    return exp(-0.5 * dot(off, off) / variance) / (u_shininess * variance);
+    return falls(dot(off, off) / variance) / (texel_precision() * variance);
 #endif
 }
 

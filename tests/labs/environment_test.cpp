@@ -284,6 +284,73 @@ TEST(Environment, OcclusionBetweenTwoWallsHasTheErrorsOfHandout16) {
     }
 }
 
+/// The groove from above, with enough slices and taps that the error is that of the guess.
+Shot mirror_shot(const char* tilt, const char* exponent, const char* guess) {
+    Shot shot = shot_of("16",
+                        {{"scene", "groove"},
+                         {"tilt", tilt},
+                         {"gloss", "even"},
+                         {"exponent", exponent},
+                         {"mirror_occlusion", guess},
+                         {"slices", "8"},
+                         {"taps", "16"}},
+                        "mirror_open", {48, 48});
+    shot.camera = {.yaw = 0, .pitch = 60, .distance = 3, .target = {0, 0, 0}, .field_of_view = 40};
+    return shot;
+}
+
+TEST(Environment, TheOpenShareOfAMirroredLobeIsItsIntegralOverTheGroovesHorizons) {
+    for (const double tilt : {30.0, 45.0})
+        for (const double exponent : {8.0, 64.0, 512.0}) {
+            const Shot shot = mirror_shot(std::to_string(tilt).c_str(), std::to_string(exponent).c_str(), "none");
+            const Image exact = truth_of(*make_lab(find_lab("16"), shot), shot);
+            const Frame frame{0, shot.size, 0, Camera(shot.camera, 1), {}};
+            const double steep = std::tan(glm::radians(tilt));
+            int seen = 0;
+            for (const int x : {8, 17, 22, 26, 31, 40}) {
+                const float value = *exact.pixel(x, 24);
+                if (!std::isfinite(value)) continue;
+                ++seen;
+                // The walls are y = steep |x|, up to |x| = 1.
+                const Ray ray = frame.ray(x, 24);
+                const double side = x < 24 ? -1 : 1;
+                const double t =
+                    (side * steep * ray.origin.x - ray.origin.y) / (ray.direction.y - side * steep * ray.direction.x);
+                const glm::dvec3 place = ray.at(t), face = glm::normalize(glm::dvec3(-side * steep, 1, 0)),
+                                 middle = glm::normalize(glm::reflect(ray.direction, face)),
+                                 right = glm::normalize(glm::cross(middle, glm::dvec3(0.3, 0.5, 0.8))),
+                                 up = glm::cross(middle, right);
+                double open = 0;
+                constexpr int rings = 120, spokes = 240;
+                for (int i = 0; i < rings; ++i)
+                    for (int j = 0; j < spokes; ++j) {
+                        const double c = std::pow((i + 0.5) / rings, 1 / (exponent + 1)), s = std::sqrt(1 - c * c),
+                                     turn = 2 * glm::pi<double>() * j / spokes;
+                        const glm::dvec3 way = c * middle + s * (std::cos(turn) * right + std::sin(turn) * up);
+                        const double to_edge = side * place.x + 1, rise = steep - place.y;
+                        const bool is_under = side * way.x < 0 && way.y * to_edge < rise * -side * way.x;
+                        open += glm::dot(way, face) > 0 && !is_under;
+                    }
+                EXPECT_NEAR(double(value), open / (rings * spokes), 0.05) << tilt << ' ' << exponent << ' ' << x;
+            }
+            EXPECT_GE(seen, 4);
+        }
+}
+
+TEST(Environment, AGuessByRoughnessBeatsTheSkysOcclusionOnASharpMirror) {
+    // On a rough one they are alike: the lobe is as wide as the sky.
+    for (const auto& [exponent, most] : {std::pair{"64", 0.03}, {"512", 0.012}}) {
+        const double none = error_of("16", mirror_shot("30", exponent, "none")).mean,
+                     as_sky = error_of("16", mirror_shot("30", exponent, "as-sky")).mean,
+                     lagarde = error_of("16", mirror_shot("30", exponent, "lagarde")).mean;
+        EXPECT_LT(lagarde, none) << exponent;
+        EXPECT_LT(lagarde, most) << exponent << ": handout 16 has 0.027 and 0.011";
+        EXPECT_LT(none, as_sky) << exponent << ": a mirror reflects one direction";
+    }
+    EXPECT_LT(error_of("16", mirror_shot("30", "8", "as-sky")).mean,
+              error_of("16", mirror_shot("30", "8", "none")).mean / 2);
+}
+
 TEST(Environment, APlaneIsUnoccluded) {
     Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {128, 128});
     shot.camera = {.yaw = 30, .pitch = 40, .distance = 1.2, .target = {2.2, 0, 2.2}};

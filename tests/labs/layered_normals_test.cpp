@@ -225,6 +225,45 @@ TEST(LayeredNormals, ToksvigsLengthIsTheVarianceOfAGaussianOfSmallSlopes) {
     }
 }
 
+TEST(LayeredNormals, TheLobeOfGgxIsTheDistributionOfWalterAndOthers) {
+    // D(h) of their equation 33, by angle. Slopes have the density D cos^4: cos dw is cos^4 of an area of slopes.
+    for (const double shininess : {10.0, 400.0})
+        for (const double degrees : {0.0, 1.0, 5.0, 20.0, 60.0, 85.0}) {
+            const double a2 = 2 / (shininess + 2), c = std::cos(glm::radians(degrees)), t2 = 1 / (c * c) - 1;
+            const double d = a2 / (glm::pi<double>() * std::pow(c, 4) * std::pow(a2 + t2, 2));
+            EXPECT_NEAR(falls(Settings::ggx, t2 * (shininess + 2)) / (d * std::pow(c, 4) * glm::pi<double>() * a2), 1,
+                        1e-9)
+                << shininess << ' ' << degrees;
+        }
+}
+
+TEST(LayeredNormals, ALobeKeepsItsLightWhenAVarianceWidensIt) {
+    // The highlight is falls(off² / v) / (precision v). Its integral over all slopes is the same for each v >= 1 /
+    // precision: 2 pi / precision for both lobes. Slopes at r = tan(u) reach infinity, where GGX still has light.
+    for (const Settings::Brdf brdf : {Settings::blinn_phong, Settings::ggx})
+        for (const double variance : {0.0025, 0.01, 0.3}) {
+            double sum = 0;
+            constexpr int steps = 200000;
+            for (int i = 0; i < steps; ++i) {
+                const double u = (i + 0.5) / steps * glm::half_pi<double>(), r = std::tan(u);
+                sum += falls(brdf, r * r / variance) * r * (1 + r * r);
+            }
+            const double whole = sum * glm::half_pi<double>() / steps * 2 * glm::pi<double>() / variance;
+            EXPECT_NEAR(whole, 2 * glm::pi<double>(), 2e-3) << brdf << ' ' << variance;
+        }
+}
+
+TEST(LayeredNormals, SamplesOfBothLobesAgreeWithTheExactHighlight) {
+    const auto off = [](const char* brdf, const char* filter) {
+        return error_of("19",
+                        shot_of("19", {{"view", "far"}, {"brdf", brdf}, {"filter", filter}}, "highlight", {64, 64}));
+    };
+    for (const char* brdf : {"blinn-phong", "ggx"}) {
+        EXPECT_LT(off(brdf, "samples").largest, 1e-3) << brdf;
+        EXPECT_LT(off(brdf, "lean").mean, off(brdf, "plain").mean / 2) << brdf;
+    }
+}
+
 TEST(LayeredNormals, ALayerOfStrength0AndAPlaneOfWeight0AreNotRead) {
     const auto reads = [](std::vector<Knob> knobs) {
         const Image image = drawn("19", shot_of("19", std::move(knobs), "reads", {64, 64}));

@@ -5,8 +5,11 @@
 
 #include "framework/core/gl/counters.h"
 #include "framework/library/kit/relief_material.h"
+#include "framework/library/maps/skips.h"
+#include "framework/library/maps/test_maps.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/terminator.h"
+#include "labs/12_relief_exact/relaxed_cones.h"
 #include "tests/core/gl/glsl_function.h"
 #include "tests/labs/shots.h"
 
@@ -364,13 +367,85 @@ TEST(ReliefExact, AShiftOfWholeTilesOnlyShiftsEveryHit) {
     }
 }
 
+// ---- relaxed cones
+
+/// Returns a map of `side` x `side` texels that is 1 from column `first` to column `last`, else 0.
+Image wall_map(int side, int first, int last) {
+    Image map(side, side, 1);
+    for (int y = 0; y < side; ++y)
+        for (int x = first; x <= last; ++x) *map.pixel(x, y) = 1;
+    return map;
+}
+
+TEST(RelaxedCones, ReachThroughAWallToItsFarSide) {
+    // From column 8 the wall begins at column 32 and falls behind column 47. A safe cone ends at 32, 24 texels away.
+    // The other way around, the wall's far side is 40 texels away, too: 8 + 64 - 32.
+    const Image map = wall_map(64, 32, 47);
+    const Image relaxed = exact::relaxed_cone_map(map), safe = cone_map(map);
+    EXPECT_LE(*safe.pixel(8, 20), 24);
+    EXPECT_GE(*relaxed.pixel(8, 20), 31.9f) << "what is known ends half a tile away";
+    // From column 22 the far side is 25 texels away, the near one 10.
+    EXPECT_NEAR(*relaxed.pixel(22, 20), 25, 0.01);
+    EXPECT_LE(*safe.pixel(22, 20), 10);
+    EXPECT_EQ(*relaxed.pixel(40, 20), cone_widest) << "nothing is higher than the wall";
+}
+
+TEST(RelaxedCones, LetARayFromAboveItsTexelCrossTheSurfaceAtMostOnce) {
+    std::mt19937 random(69);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (const HeightMap kind : {HeightMap::fbm, HeightMap::bricks, HeightMap::stones}) {
+        const Image map = make_height_map(kind, 128), cones = exact::relaxed_cone_map(map);
+        const HeightField field(map, true);
+        int rays = 0, twice = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const int x = int(128 * share(random)), y = int(128 * share(random));
+            const double foot = double(*map.pixel(x, 127 - y)), cone = double(*cones.pixel(x, 127 - y)),
+                         angle = 2 * M_PI * share(random), slant = cone * share(random);
+            // From height 1 above the texel, down to the cone's wall.
+            int crossings = 0;
+            bool is_inside = false;
+            for (double r = 0.25; r < 64; r += 0.25) {
+                const double height = 1 - r / std::max(slant, 1e-9);
+                if (height < foot || r > cone * (height - foot)) break;
+                const bool is_below = height < field.height({x + r * std::cos(angle), y + r * std::sin(angle)}) - 1e-6;
+                crossings += is_inside && !is_below;
+                is_inside = is_below;
+            }
+            ++rays, twice += crossings > 0;
+        }
+        // The map looks along 32 directions, so a ray between two of them may leave the surface.
+        EXPECT_LT(twice, rays / 50) << int(kind);
+    }
+}
+
+TEST(ReliefExact, RelaxedConesAreWrongWhereTheExactMethodsAreNot) {
+    for (const char* map : {"bricks", "posts"}) {
+        const auto wrong = [&](const char* method) {
+            const Shot shot = seen({{"map", map}, {"method", method}}, 70, 0);
+            const auto lab = make_lab(find_lab("12"), shot);
+            const Image errors = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+            const auto far_off = std::count_if(errors.values.begin(), errors.values.end(),
+                                               [](float error) { return std::isfinite(error) && error > 1; });
+            return double(far_off) / double(errors.pixel_count());
+        };
+        EXPECT_GT(wrong("relaxed"), 0.002) << map;
+        EXPECT_LT(wrong("windows"), 0.0002) << map;
+    }
+    // 15 steps and 8 bisections, and the first read.
+    const Image steps = drawn("12", seen({{"map", "posts"}, {"method", "relaxed"}}, 70, 0, "steps"));
+    for (size_t i = 0; i < steps.values.size(); i += 4)
+        if (steps.values[i] != no_surface) {
+            ASSERT_LE(steps.values[i], 24);
+        }
+}
+
 TEST(ReliefExact, EveryPixelIsFiniteAndNoLoopRunsOn) {
     const std::vector<std::vector<Knob>> scenes = {
         {{"map", "low"}},     {{"map", "high"}},       {{"map", "plateau"}},
         {{"map", "damaged"}}, {{"size", "1"}},         {{"depth", "0"}},
         {{"depth", "1"}},     {{"shift", "10000"}},    {{"stretch", "4"}},
         {{"surface", "urn"}}, {{"surface", "column"}}, {{"surface", "column"}, {"outline", "on"}, {"depth", "1"}}};
-    for (const char* method : {"windows", "cones"})
+    for (const char* method : {"windows", "cones", "relaxed"})
         for (std::vector<Knob> scene : scenes) {
             scene.insert(scene.begin(), {{"map", "posts"}, {"method", method}});
             const auto lab = make_lab(find_lab("12"), seen(scene, 0, 0));

@@ -1,9 +1,11 @@
 // Lab 01: its probes at positions with known values, and against their truth.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
 #include "framework/course/manifest/manifest.h"
+#include "tests/core/gl/glsl_function.h"
 
 namespace relief {
 namespace {
@@ -158,6 +160,52 @@ TEST(SpecularHighlights, AFlatMapLooksTheSameWithEachTerminator) {
     const Image none = lit_from_the_floor("none", "0");
     for (const char* terminator : {"step", "chiang", "schuessler"})
         EXPECT_LE(difference(lit_from_the_floor(terminator, "0"), none, 0).largest, 1.0 / 255 + 1e-6) << terminator;
+}
+
+/// Returns the light of a shader of lab 01 or of common for a highlight of strength 1 without diffuse light, divided by
+/// the cosine. Directions are turned from the normal by `to_light` and `to_eye` degrees, in one plane.
+double highlight(const char* file, const char* function, float shininess, double to_light, double to_eye) {
+    const auto turned = [](double degrees) {
+        return glm::vec4(std::sin(glm::radians(degrees)), 0, std::cos(glm::radians(degrees)), 0);
+    };
+    const std::string call =
+        fmt::format("vec4({}(vec3(0.0), 1.0, {:.1f}, vec3(0.0, 0.0, 1.0), a.xyz, b.xyz), 0.0)", function, shininess);
+    const std::vector<GlslInput> inputs = {{turned(to_light), turned(to_eye), glm::vec4(0)}};
+    return double(evaluate_glsl(file, call, inputs)[0].x) / std::cos(glm::radians(to_light));
+}
+constexpr const char* ggx_file = "01_specular_highlights/ggx.glsl";
+
+TEST(SpecularHighlights, GgxIsTheMicrofacetFormulaInDoublePrecision) {
+    // pi D V: D by Walter and others, equation 33; V = 1 / (4 l v (1 + lambda(l) + lambda(v))) with the lambda of
+    // Heitz 2014, equation 72.
+    for (const double shininess : {2.0, 48.0, 256.0})
+        for (const auto& [light, eye] :
+             {std::pair{0.0, 0.0}, {10.0, -10.0}, {40.0, 20.0}, {-70.0, 75.0}, {3.0, 80.0}}) {
+            const double a2 = 2 / (shininess + 2), h = glm::radians((light + eye) / 2), c = std::cos(h);
+            const double d = a2 / (std::pow(c, 4) * std::pow(a2 + std::tan(h) * std::tan(h), 2));
+            const auto lambda = [&](double degrees) {
+                const double tangent = std::tan(glm::radians(degrees));
+                return (std::sqrt(1 + a2 * tangent * tangent) - 1) / 2;
+            };
+            const double v = 1 / (4 * std::cos(glm::radians(light)) * std::cos(glm::radians(eye)) *
+                                  (1 + lambda(light) + lambda(eye)));
+            EXPECT_NEAR(highlight(ggx_file, "ggx", float(shininess), light, eye) / (d * v), 1, 1e-4)
+                << shininess << ' ' << light << ' ' << eye;
+        }
+    EXPECT_TRUE(std::isfinite(highlight(ggx_file, "ggx", 48, 80, 100))) << "the eye is behind the surface";
+}
+
+TEST(SpecularHighlights, GgxFallsAsHandout01Says) {
+    // D alone, from its peak, at the angle between normal and half vector: eye and lamp are in one place.
+    const auto falls = [](double degrees) {
+        const double sine = std::sin(glm::radians(degrees)), a2 = 2.0 / (48 + 2);
+        return std::pow(1 + sine * sine * (1 / a2 - 1), -2);
+    };
+    const auto cosine_power = [](double degrees) { return std::pow(std::cos(glm::radians(degrees)), 48); };
+    EXPECT_NEAR(cosine_power(9.7), 0.5, 0.005);
+    EXPECT_NEAR(falls(7.5), 0.5, 0.006);
+    EXPECT_NEAR(100 * falls(30), 2, 0.05);
+    EXPECT_NEAR(100 * cosine_power(30), 0.1, 0.005);
 }
 
 TEST(SpecularHighlights, TheWipeDrawsOnlyTheObjectsOfEachHalf) {

@@ -19,7 +19,7 @@ struct Search {
     BenchKnobs set = {};              // fixed knobs, not in the plot
     const char* published = nullptr;  // macros of published_march.glsl, which replaces lab 11's march
 
-    bool is_peer() const { return published || name == std::string("usual"); }
+    bool is_peer() const { return published || name == std::string("usual") || name == std::string("relaxed"); }
 };
 
 std::vector<Search> searches() {
@@ -51,7 +51,7 @@ std::vector<Search> searches() {
                        "11",
                        {{"texels_per_step", texels}},
                        {{"count", "texel"}, {"refine", "secant"}, {"rounds", "2"}}});
-    for (const char* method : {"walk", "coarse", "windows", "max-mips", "cones"})
+    for (const char* method : {"walk", "coarse", "windows", "max-mips", "cones", "relaxed"})
         all.push_back(
             {method, "12", {}, {{"method", method}, {"shadow", "none"}, {"write_depth", "off"}, {"outline", "off"}}});
     return all;

@@ -80,8 +80,26 @@ BenchScene mirrors(const BenchSettings& settings) {
     return scene;
 }
 
+BenchScene hidden_mirrors(const BenchSettings& settings) {
+    BenchScene scene{{{"term", "mirror occlusion"}}, "frame"};
+    for (const char* guess : {"none", "as-sky", "lagarde"}) {
+        const BenchKnobs set = {{"mirror_occlusion", guess}};
+        Shot shot = court_shot(settings, together({{"scene", "groove"},
+                                                   {"gloss", "even"},
+                                                   {"exponent", "64"},
+                                                   {"tilt", "30"},
+                                                   {"slices", "8"},
+                                                   {"taps", "16"}},
+                                                  set));
+        shot.size = {48, 48}, shot.probe = {"mirror_open"};
+        shot.camera = {.yaw = 0, .pitch = 60, .distance = 3, .target = {0, 0, 0}, .field_of_view = 40};
+        scene.methods.push_back(method(settings, guess, set, set, shot));
+    }
+    return scene;
+}
+
 std::vector<BenchScene> environment_scenes(const BenchSettings& settings) {
-    return {terms(settings), shadows(settings), occlusions(settings), mirrors(settings)};
+    return {terms(settings), shadows(settings), occlusions(settings), mirrors(settings), hidden_mirrors(settings)};
 }
 
 }  // namespace

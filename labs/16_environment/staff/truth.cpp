@@ -105,6 +105,7 @@ public:
         if (probe == "fresnel") return glm::dvec4(share(surface.straight, glm::dot(normal, to_eye)), 0, 0, 0);
         if (probe == "exponent") return glm::dvec4(surface.exponent, 0, 0, 0);
         if (probe == "shadow") return glm::dvec4(shadow(surface), 0, 0, 0);
+        if (probe == "mirror_open") return glm::dvec4(mirror_openness(surface, to_eye, normal), 0, 0, 0);
         if (probe == "occlusion") return glm::dvec4(lighting_.ao ? openness(surface) : 1, 0, 0, 0);
         return glm::dvec4(terms(surface, to_eye).light, 0);
     }
@@ -263,13 +264,28 @@ private:
         return {c * direction.x - s * direction.z, direction.y, s * direction.x + c * direction.z};
     }
 
+    /// Returns the middle of the mirrored lobe. A direction into the surface is mirrored once more.
+    static glm::dvec3 mirrored(const Surface& surface, const glm::dvec3& to_eye, const glm::dvec3& normal) {
+        const glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
+        return from - 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
+    }
+
+    /// Returns the share of the lobe cos^m about the mirrored direction that meets the sky.
+    double mirror_openness(const Surface& surface, const glm::dvec3& to_eye, const glm::dvec3& normal) const {
+        const double m = lighting_.gloss == Gloss::mirror ? 1e9 : surface.exponent;
+        int free = 0;
+        for (const glm::dvec3& way :
+             places_around(mirrored(surface, to_eye, normal), [m](double u) { return std::pow(u, 1 / (m + 1)); }))
+            free += glm::dot(way, surface.face) > 0 &&
+                    is_free(lighting_.scene, {surface.place + 1e-7 * surface.face, way}, INFINITY);
+        return double(free) / places;
+    }
+
     /// Returns the light of the mirrored sky, blurred by cos^m, where m is the surface's exponent. At an angle a the
     /// blur falls off as exp(-m a^2 / 2), and a lobe of the sky of sharpness k as exp(-k a^2 / 2). The wider of the two
     /// is sampled at places of the narrower one, which have equal weights.
     glm::dvec3 mirrored_sky(const Surface& surface, const glm::dvec3& to_eye, const glm::dvec3& normal) const {
-        glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
-        from -= 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
-        from = turned(from);
+        const glm::dvec3 from = turned(mirrored(surface, to_eye, normal));
         if (lighting_.gloss == Gloss::mirror) return evening_sky(from);
         const double m = surface.exponent;
         glm::dvec3 sum(0);
@@ -385,6 +401,7 @@ private:
         const glm::dvec3 normal = lighting_.light_only ? surface.face : surface.normal;
         terms.share = surface.gloss * share(surface.straight, glm::dot(normal, to_eye));
         if (lighting_.reflection) terms.mirror = terms.share * mirrored_sky(surface, to_eye, normal);
+        if (lighting_.mirror_occlusion) terms.mirror *= mirror_openness(surface, to_eye, normal);
         terms.light = terms.ambient * terms.occlusion + terms.lamps + terms.mirror;
         return terms;
     }

@@ -74,15 +74,16 @@ std::vector<BenchScene> layers_scenes(const BenchSettings& settings) {
                                     ErrorMetric::angle,
                                     10},
                                    settings));
-    all.push_back(compared({{{"view", "far"}},
-                            "filter",
-                            {"plain", "derivatives", "toksvig", "lean", "samples"},
-                            "lean",
-                            "highlight",
-                            "share",
-                            ErrorMetric::absolute,
-                            0.5},
-                           settings));
+    for (const BenchKnobs& lobe : {BenchKnobs{}, BenchKnobs{{"brdf", "ggx"}}})
+        all.push_back(compared({together({{"view", "far"}}, lobe),
+                                "filter",
+                                {"plain", "derivatives", "toksvig", "lean", "samples"},
+                                "lean",
+                                "highlight",
+                                "share",
+                                ErrorMetric::absolute,
+                                0.5},
+                               settings));
     return all;
 }
 

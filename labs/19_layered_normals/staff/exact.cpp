@@ -109,6 +109,12 @@ double turning_variance(const glm::dvec3& across, const glm::dvec3& up) {
     return std::min(0.25 * (glm::dot(across, across) + glm::dot(up, up)), 0.09);
 }
 
+double falls(Settings::Brdf brdf, double spread) {
+    if (brdf == Settings::blinn_phong) return std::exp(-0.5 * spread);
+    const double tail = 1 + 0.5 * spread;  // alpha² is twice the variance
+    return 1 / (tail * tail);
+}
+
 Map::Map(const Image& image) : levels_(mip_chain(image, ColorSpace::linear)) {}
 
 glm::dvec4 Map::at(glm::dvec2 uv, double level) const {

@@ -38,6 +38,10 @@ double lost_variance(const glm::dvec3& mean_normal);
 /// Kaplanyan 2019; there it is the squared roughness, twice the variance, and at most 0.18).
 double turning_variance(const glm::dvec3& across, const glm::dvec3& up);
 
+/// Returns the highlight of a texel at a slope whose distance from the lobe's middle has the square `spread`, in
+/// variances: 1 in the middle. A Gaussian for Blinn-Phong; GGX has a long tail (Walter and others 2007).
+double falls(Settings::Brdf brdf, double spread);
+
 /// A map with four channels that repeats, with its mip levels.
 class Map {
 public:

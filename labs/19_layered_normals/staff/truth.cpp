@@ -100,7 +100,7 @@ private:
     }
 
     double variance(const Layers& layers, const Place& place) const {
-        double sum = 1 / double(settings_.shininess);
+        double sum = 1 / settings_.precision();
         if (settings_.filter == Settings::toksvig) {
             const double base = settings_.strengths().x;
             sum += base * base * lost_variance(layers.base_texel);
@@ -130,7 +130,7 @@ private:
                 if (layers.strength > 0)
                     slope += layers.strength * glm::dvec2(grain_layer().slopes.at(position / tile(true), 0));
                 slope -= wanted;
-                sum += std::exp(-0.5 * double(settings_.shininess) * glm::dot(slope, slope));
+                sum += falls(Settings::Brdf(settings_.brdf), settings_.precision() * glm::dot(slope, slope));
             }
         return sum / (side * side);
     }
