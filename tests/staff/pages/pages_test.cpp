@@ -83,7 +83,7 @@ TEST(LabPage, ShowsAManifestAsText) {
     LabPage page;
     page.lab = &lab, page.manifest = &manifest, page.knob = page.probe = hostile, page.marks = {hostile};
     page.picture = page.handout = hostile, page.previous = page.next = &page;
-    EXPECT_EQ(times_escaped(lab_page(page)), 9);
+    EXPECT_EQ(times_escaped(lab_page(page)), 11);
     page.methods = {{hostile, hostile, hostile, hostile}, {hostile, hostile, hostile, hostile}};
     EXPECT_GT(times_escaped(lab_page(page)), 30);
 }
