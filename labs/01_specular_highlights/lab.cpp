@@ -89,7 +89,7 @@ private:
         const glm::vec3 light = lamp_at(light_yaw_, 2.8f, light_height_);
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : "",
                                                 with_map && !frame.probe ? terminators.define(terminator_) : "",
-                                                frame.probe ? "" : brdfs.define(brdf_)});
+                                                frame.probe || terminator_ == schuessler ? "" : brdfs.define(brdf_)});
         glUseProgram(surface);
         const glm::dmat4 clip_from_world = camera.clip_from_world();
         surface.set("u_clip_from_world", clip_from_world);

@@ -24,7 +24,7 @@ TEST_F(NewLab, SaysWhatItMadeAndTakesTheFirstNumberAboveTheCourses) {
 TEST_F(NewLab, IsListedByItsFolderAlone) {
     const Result list = run({course_.program("relief"), "list"});
     EXPECT_EQ(list.code, 0) << list.err;
-    EXPECT_TRUE(contains(list.out, "20  test_wall                Test wall\n")) << list.out;
+    EXPECT_TRUE(contains(list.out, "\n20  test_wall              Test wall ")) << list.out;
 }
 
 TEST_F(NewLab, KeepsItsTruthWithTheStaff) {
