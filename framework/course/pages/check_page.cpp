@@ -25,7 +25,7 @@ struct Blocked {
 Fields fields_of(const Manifest& manifest, const check::Verdict& result, std::set<std::string>& told) {
     const CheckInfo& check = manifest.check(result.name);
     const bool passed = result.outcome == check::Outcome::passed;
-    const bool is_open = !passed && check::reason_to_wait(result).empty();
+    const bool is_open = !passed && result.outcome != check::Outcome::unproven && check::reason_to_wait(result).empty();
     Fields pictures = check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related);
     if (is_open) tell_once(pictures, told);
     return {{"name", check.name},
