@@ -245,7 +245,8 @@ private:
             const int line = words_[tile.captions[k]].line;
             return line == 0 ? 0 : line == -1 ? 1 : 1 + std::abs(line);
         };
-        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return rank(a) < rank(b); });
+        const auto is_earlier = [&](size_t a, size_t b) { return rank(a) < rank(b); };
+        std::stable_sort(order.begin(), order.end(), is_earlier);
         return order;
     }
 
