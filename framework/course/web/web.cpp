@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
 #include "framework/core/base/folded_text.h"
 #include "framework/core/base/missing_files.h"
 #include "framework/core/base/own_file.h"
@@ -14,6 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/shot.h"
+#include "framework/course/app/stored_zip.h"
 #include "framework/course/check/check.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/web/webgl.h"
@@ -213,6 +215,14 @@ EMSCRIPTEN_KEEPALIVE const char* relief_set(const char* knob, const char* value)
     });
 }
 
+/// Makes the lab again, after another task.cpp was compiled. Returns all knobs, which have their first values.
+EMSCRIPTEN_KEEPALIVE const char* relief_renew() {
+    return answer([&] {
+        lab().lab = lab().entry.make();
+        return knobs_of(*lab().lab);
+    });
+}
+
 /// Draws onto the canvas. `request` has `width`, `height`, `camera`, and `time` in seconds. A task file that does not
 /// compile is an error, and the picture keeps the last program that did.
 EMSCRIPTEN_KEEPALIVE const char* relief_draw(const char* request) {
@@ -263,13 +273,13 @@ EMSCRIPTEN_KEEPALIVE const char* relief_check(int index) {
 }
 
 /// Returns, after all checks have run, each check's outcome and hint, each task's points and known mistake, and the
-/// points of all tasks that can be written in a browser.
-EMSCRIPTEN_KEEPALIVE const char* relief_advice() {
+/// points of all tasks, or of those in shaders alone if the page has no compiler.
+EMSCRIPTEN_KEEPALIVE const char* relief_advice(int has_compiler) {
     return answer([&]() -> json {
         const std::vector<check::TaskVerdict> results = lab().checker.tasks();
         std::vector<check::TaskVerdict> written;
         std::copy_if(results.begin(), results.end(), std::back_inserter(written),
-                     [](const check::TaskVerdict& task) { return is_shader(task.file); });
+                     [&](const check::TaskVerdict& task) { return has_compiler || is_shader(task.file); });
         json tasks = json::array(), checks = json::array();
         checks.get_ref<json::array_t&>().resize(lab().manifest.checks.size());
         for (const check::TaskVerdict& task : results) {
@@ -283,6 +293,17 @@ EMSCRIPTEN_KEEPALIVE const char* relief_advice() {
                              {"hint", task.hint}});
         }
         return {{"tasks", tasks}, {"checks", checks}, {"said", points_text(written)}};
+    });
+}
+
+/// Returns the archive of the lab's task files that `relief hand-in` makes, as an address and a size in bytes.
+EMSCRIPTEN_KEEPALIVE const char* relief_hand_in() {
+    return answer([&]() -> json {
+        static std::string archive;
+        std::map<std::string, std::string> files;
+        for (const TaskInfo& task : lab().manifest.tasks) files[task.file] = read_file(course_root() / task.file);
+        archive = app::stored_zip(files);
+        return {{"address", reinterpret_cast<uintptr_t>(archive.data())}, {"size", archive.size()}};
     });
 }
 

@@ -57,6 +57,23 @@ fs::path bundle_editor() {
     return bundle;
 }
 
+/// Packs the compiler for the course's tasks in C++ with the headers that they need. Returns its folder; an empty path
+/// if it is not installed. `build`: where the module was built.
+fs::path pack_compiler(const fs::path& course, const fs::path& build) {
+    const fs::path package = course_root() / "build/editor/node_modules/@yowasp/clang", folder = build / "compiler";
+    std::error_code none;
+    if (!fs::exists(package, none)) {
+        print_note("the compiler for tasks in C++ is not installed: the site is made without it");
+        return {};
+    }
+    print_note("packing the compiler for tasks in C++");
+    run_or_throw("packing the compiler",
+                 {"/usr/bin/env", "node", (course_root() / "framework/staff/web/pack_compiler.mjs").string(),
+                  package.string(), course.string(), (build / "generated/headers/glm").string(), folder.string()},
+                 course_root());
+    return folder;
+}
+
 /// Returns the folder of the students' course that has these labs (see find_labs(); empty: all). A course of some labs
 /// replaces one that has others, whose module would be larger than asked for.
 fs::path course_with(const std::string& labs) {
@@ -73,7 +90,7 @@ fs::path course_with(const std::string& labs) {
 }
 
 /// `labs`: see find_labs(); empty: all.
-int make_site(const fs::path& folder, const std::string& labs, bool quick) {
+int make_site(const fs::path& folder, const std::string& labs, bool quick, bool has_compiler) {
     const fs::path course = course_with(labs);
     make_folder(folder);
     pin_software_renderer();
@@ -82,9 +99,11 @@ int make_site(const fs::path& folder, const std::string& labs, bool quick) {
     handout::write_handout(course, labs.empty() ? std::optional<std::string>() : std::optional(labs));
     const fs::path module = compile(course, quick);
     const fs::path editor = bundle_editor();
+    const fs::path compiler = has_compiler ? pack_compiler(course, module.parent_path()) : fs::path();
     print_note("drawing the site's pictures");
     if (const int code = make_gallery({.folder = folder, .labs = labs, .is_live = true})) return code;
-    web::write_live_pages({.course = course, .module = module, .editor = editor, .folder = folder});
+    web::write_live_pages(
+        {.course = course, .module = module, .editor = editor, .compiler = compiler, .folder = folder});
     fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
     return 0;
 }
@@ -103,6 +122,7 @@ public:
         options.value("-o", "FOLDER", output_, "folder for the site [the course's build/site-web]");
         options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
         options.flag("--quick", quick_, "compile in half of the time, for a first look: the labs react more slowly");
+        options.flag("--no-compiler", no_compiler_, "without the compiler (90 MB), so without the tasks in C++");
         options.flag("--serve", serve_, "then serve it to this machine's browser");
         options.value("--port", "NUMBER", port_, "of the server [8000]");
     }
@@ -111,13 +131,13 @@ public:
         if (!port || *port < 1 || *port > 65535)
             throw UsageError("--port takes a number from 1 to 65535, not '" + port_ + "'");
         const fs::path folder = output_.empty() ? course_root() / "build" / "site-web" : fs::path(output_);
-        const int code = make_site(folder, labs_, quick_);
+        const int code = make_site(folder, labs_, quick_, !no_compiler_);
         return code == 0 && serve_ ? serve(folder, port_) : code;
     }
 
 private:
     std::string output_, labs_;
-    bool quick_ = false, serve_ = false;
+    bool quick_ = false, no_compiler_ = false, serve_ = false;
     std::string port_ = "8000";
 };
 RELIEF_COMMAND(WebCommand, 13, "web", "makes a site on which the labs run in a browser, for any web server");

@@ -1,9 +1,9 @@
-// The editor of a lab's page: CodeMirror 6 with GLSL. Bundled when the site is made.
+// The editor of a lab's page: CodeMirror 6 with GLSL or C++. Bundled when the site is made.
 import {EditorView, basicSetup} from "codemirror";
 import {keymap} from "@codemirror/view";
 import {indentWithTab} from "@codemirror/commands";
 import {HighlightStyle, StreamLanguage, indentUnit, syntaxHighlighting} from "@codemirror/language";
-import {shader} from "@codemirror/legacy-modes/mode/clike";
+import {cpp, shader} from "@codemirror/legacy-modes/mode/clike";
 import {setDiagnostics} from "@codemirror/lint";
 import {tags} from "@lezer/highlight";
 
@@ -29,12 +29,13 @@ const colors = HighlightStyle.define([
 
 // Puts an editor into an element, and calls `changed` after each change by the user. It has a shadow root, so that its
 // style sheets obey the page's policy.
-window.openEditor = (place, text, changed) => {
+window.openEditor = (place, text, changed, language) => {
   const root = place.attachShadow({mode: "open"});
   const view = new EditorView({
     doc: text, root, parent: root,
     extensions: [
-      basicSetup, keymap.of([indentWithTab]), indentUnit.of("    "), StreamLanguage.define(shader), look,
+      basicSetup, keymap.of([indentWithTab]), indentUnit.of("    "), StreamLanguage.define(language === "C++" ? cpp : shader), look,
+      EditorView.lineWrapping,
       syntaxHighlighting(colors),
       EditorView.contentAttributes.of({"aria-label": "task file: press Escape, then Tab, to leave the editor"}),
       EditorView.updateListener.of(update => { if (update.docChanged) changed(view.state.doc.toString()); }),

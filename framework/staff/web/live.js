@@ -14,7 +14,7 @@ const site = JSON.parse(document.body.dataset.lab);
 const fetched = new Set();
 const status = text => { $("status").textContent = text; };
 
-let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, does_not_compile = false;
+let relief, lab, camera, home, editor, code_editor, starter, dirty = false, playing = false, moment = 0, does_not_compile = false;
 
 // --- The module ------------------------------------------------------------------------------------------------------
 
@@ -76,11 +76,13 @@ const complain = error => {
   $("problem").hidden = !error;
   $("problem").textContent = error ? error.message + (error.details ? "\n" + error.details : "") : "";
   if (error?.further?.length) $("problem").append(folded(error.further));
-  editor?.mark(error?.file === site.task ? error.line : 1, error?.file === site.task ? error.message : "");
+  for (const [file, own] of [[site.task, editor], [site.code, code_editor]])
+    own?.mark(error?.file === file ? error.line : 1, error?.file === file ? error.message : "");
 };
 
-// An error stays until a later request succeeds. A draw that was requested before the error does not end it.
-let requests = 0, failed_at = Infinity;  // `failed_at`: the last request before the error on screen; infinite: no error
+// An error stays until a later request succeeds. A draw that was requested before the error does not end it. A fault of
+// task.cpp stays until task.cpp is compiled again: other requests run its last working text.
+let requests = 0, code_error = null, failed_at = Infinity;  // `failed_at`: the last request before the error on screen; infinite: no error
 const fail = error => { failed_at = requests; complain(error); };
 
 const draw = async () => {
@@ -93,7 +95,7 @@ const draw = async () => {
     else
       await call("draw", JSON.stringify(wanted));
     $("numbers").hidden = !wanted.probe;
-    if (failed_at < request_drawn) failed_at = Infinity, complain();
+    if (failed_at < request_drawn) failed_at = Infinity, complain(code_error);
     does_not_compile = false;
   } catch (error) {
     does_not_compile = error.file === site.task;
@@ -356,14 +358,16 @@ const link_commands = () => {
 
 // --- The task file ---------------------------------------------------------------------------------------------------
 
-const place_of_text = () => `relief ${location.pathname} ${site.task}`;
-const kept = () => { try { return localStorage.getItem(place_of_text()); } catch { return null; } };
-const keep = text => {
+const starters = new Map();
+const place_of_text = file => `relief ${location.pathname} ${file}`;
+const kept = (file = site.task) => { try { return localStorage.getItem(place_of_text(file)); } catch { return null; } };
+const keep = (text, file = site.task) => {
   try {
-    if (text === starter) localStorage.removeItem(place_of_text());
-    else localStorage.setItem(place_of_text(), text);
+    if (text === starters.get(file)) localStorage.removeItem(place_of_text(file));
+    else localStorage.setItem(place_of_text(file), text);
   } catch { status("this browser keeps no text: download your file before you leave"); }
 };
+const put_text = (file, text) => put(file, new TextEncoder().encode(text));
 
 let pause, checking = 0;
 const written = text => {
@@ -371,40 +375,122 @@ const written = text => {
   keep(text);
   clearTimeout(pause);
   pause = setTimeout(async () => {
-    put(site.task, new TextEncoder().encode(text));
+    put_text(site.task, text);
     await redraw();
     if (does_not_compile) $("points").textContent = "does not compile";
     else pause = setTimeout(check, 700);
   }, 400);
 };
 
-const download = () => {
-  const address = URL.createObjectURL(new Blob([editor.text()], {type: "text/plain"}));
-  make("a", {href: address, download: site.task.split("/").pop()}).click();
+// The task in C++, which a worker compiles.
+const code = new CompiledTask({module: () => relief, file: site.code, starter: () => starters.get(site.code),
+  progress: share => { $("fetching").hidden = share >= 1; $("share").value = share; }});
+
+// The messages of clang: the first error with its lines, and the first lines of the others.
+const errors_in = said => {
+  const parts = said.split(/^(?=\S+:\d+:\d+: (?:fatal error|error|warning): )/m).filter(part => /^\S+:\d+:/.test(part));
+  const first = parts.find(part => /^\S+ (fatal )?error:/.test(part));
+  if (!first) return {message: said.trim(), further: []};
+  const [head, ...lines] = first.replace(/^\d+ (warning|error)s?( and \d+ errors?)? generated\.\n?/m, "").split("\n");
+  const [, file, line, what] = /^(\S+?):(\d+):\d+: (?:fatal )?error: (.*)$/.exec(head);
+  return {message: `${file}:${line}: ${what}`, file, line: Number(line), details: lines.join("\n").trimEnd(),
+          further: parts.filter(part => part !== first).map(part => part.split("\n")[0])};
+};
+
+let builds = 0, pause_of_code;
+const build = async () => {
+  const run = ++builds, text = code_editor.text(), began = performance.now();
+  ++checking;
+  status("compiling task.cpp …");
+  const {bytes, said} = await code.build(text);
+  if (run !== builds) return;  // of an older text
+  const seconds = (performance.now() - began) / 1000;
+  $("warnings").hidden = !bytes || !said.trim();
+  $("warnings").textContent = said;
+  put_text(site.code, text);
+  try {
+    if (!bytes) throw Object.assign(new Error(), errors_in(said));
+    await code.load(bytes, text);
+    const values = lab.knobs.map(knob => [knob.name, is_own(knob) ? own_path(knob.value) : knob.value]);
+    lab.knobs = await call("renew");
+    for (const [name, value] of values)
+      if (lab.knobs.find(knob => knob.name === name).value !== value) await set_knob(name, value);
+    code_error = null;
+    await redraw();
+    check();
+  } catch (error) {
+    code_error = error;
+    fail(error);
+    $("points").textContent = bytes ? "" : "does not compile";
+    status(bytes ? "task.cpp cannot run" : "task.cpp does not compile");
+  }
+  window.built = seconds;  // for tests
+};
+const written_code = text => {
+  ++checking;
+  ++builds;
+  keep(text, site.code);
+  clearTimeout(pause_of_code);
+  pause_of_code = setTimeout(build, 1000);
+};
+
+const save = (name, bytes, type) => {
+  const address = URL.createObjectURL(new Blob([bytes], {type}));
+  make("a", {href: address, download: name}).click();
   setTimeout(() => URL.revokeObjectURL(address), 1000);
+};
+// A lab with two files has them in one archive, as `relief hand-in` makes it.
+const download = async () => {
+  if (!code_editor) return save(site.task.split("/").pop(), editor.text(), "text/plain");
+  put_text(site.task, editor.text()), put_text(site.code, code_editor.text());
+  const {address, size} = await call("hand_in");
+  save("hand-in.zip", relief.HEAPF32.buffer.slice(address, address + size), "application/zip");
 };
 const load = async () => {
   const [file] = $("chosen").files;
   $("chosen").value = "";
-  if (file) editor.replace(await file.text());
+  if (!file) return;
+  const is_code = code_editor && /\.cpp$/i.test(file.name);
+  (is_code ? code_editor : editor).replace(await file.text());
+  show_file(is_code ? site.code : site.task);
+};
+let shown_file;
+const show_file = file => {
+  shown_file = file;
+  $("editor").hidden = file !== site.task, $("code").hidden = file !== site.code;
+  for (const button of $("file").querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.title === file));
 };
 const open_editor = () => {
-  starter = relief.FS.readFile("/course/" + site.task, {encoding: "utf8"});
-  const text = kept() ?? starter;
-  put(site.task, new TextEncoder().encode(text));
-  editor = openEditor($("editor"), text, written);
-  $("file").textContent = site.task;
+  const text_of = file => {
+    starters.set(file, relief.FS.readFile("/course/" + file, {encoding: "utf8"}));
+    const text = kept(file) ?? starters.get(file);
+    put_text(file, text);
+    return text;
+  };
+  editor = openEditor($("editor"), text_of(site.task), written);
+  starter = starters.get(site.task);
+  if (site.code && site.compiler) {
+    code_editor = openEditor($("code"), text_of(site.code), written_code, "C++");
+    $("file").replaceChildren(...[...new Set(lab.tasks.map(task => task.file))].map(file =>
+      make("button", {type: "button", textContent: file.split("/").pop(), title: file, onclick: () => show_file(file)})));
+    show_file(lab.tasks[0].file);
+  } else {
+    if (site.code) text_of(site.code);
+    $("file").textContent = site.task;
+    show_file(site.task);
+  }
   $("download").onclick = download;
   $("load").onclick = () => $("chosen").click();
   $("chosen").onchange = load;
   $("reset").onclick = () => {
-    if (confirm("Replace your text by the starter?")) editor.replace(starter);
+    const own = shown_file === site.code ? code_editor : editor;
+    if (confirm("Replace your text by the starter?")) own.replace(starters.get(shown_file));
   };
 };
 
 // --- Checks ----------------------------------------------------------------------------------------------------------
 
-// A task in C++ needs a compiler, so its checks cannot pass here, and are not shown.
+// Without the compiler, a task in C++ cannot pass its checks here, and they are not shown.
 const is_here = check => !site.not_here.includes(check.task);
 const words = {out_of_time: "out of time", out_of_memory: "out of memory"};
 const rows = new Map();  // of each check, by index
@@ -485,7 +571,7 @@ const check = async () => {
       if (rows.has(index)) show_result(index, result);
     }
     if (run !== checking) return;
-    const advice = await call("advice");
+    const advice = await call("advice", Number(site.compiler));
     for (const [index] of rows) show_result(index, advice.checks[index]);
     for (const task of advice.tasks) {
       const box = $("task-" + task.id), hint = box.querySelector(".hint");
@@ -506,8 +592,27 @@ const check = async () => {
 
 // --- Start -----------------------------------------------------------------------------------------------------------
 
+const compiled_module = async () => {
+  try {
+    return await WebAssembly.compileStreaming(fetch("relief.wasm"));
+  } catch {  // a server that does not know the type
+    return WebAssembly.compile(await (await fetch("relief.wasm")).arrayBuffer());
+  }
+};
+const open_module = () => new Promise((done, fail) => {
+  const instantiateWasm = (imports, receive) => {
+    compiled_module().then(async module => {
+      const names = WebAssembly.Module.imports(module).map(each => each.name).filter(name => name.startsWith("_ZN6relief"));
+      code.join(imports.env, names);
+      receive(await WebAssembly.instantiate(module, imports), module);
+    }).catch(fail);
+    return {};
+  };
+  openRelief({print: () => {}, printErr: text => console.info(text), instantiateWasm}).then(done, fail);
+});
+
 const start = async () => {
-  relief = await openRelief({print: () => {}, printErr: text => console.info(text)});
+  relief = await open_module();
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
   site.renderer = await call("start", "#canvas");
@@ -547,13 +652,15 @@ const survive_a_lost_context = () => {
     event.preventDefault();
     status("the graphics driver was reset: starting again …");
     ++checking;
-    const text = editor.text(), at = camera;
+    const text = editor.text(), code_text = code_editor?.text(), at = camera;
     const values = lab.knobs.map(knob => [knob.name, is_own(knob) ? own_path(knob.value) : knob.value]);
     $("canvas").replaceWith($("canvas").cloneNode());
     fetched.clear();
     last_call = Promise.resolve();
     await start();
-    put(site.task, new TextEncoder().encode(text));
+    put_text(site.task, text);
+    if (code_editor) put_text(site.code, code_text);
+    if (code.bytes) await code.load(code.bytes, code.text);
     for (const [path, bytes] of own_files) put_own(path, bytes);
     camera = at;
     listen_to_view();
@@ -575,6 +682,7 @@ const survive_a_lost_context = () => {
     $("check").disabled = false;
     status(`ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);
     window.ready = true;  // for tests
+    if (code_editor && code_editor.text() !== starters.get(site.code)) build();  // written in an earlier visit
   } catch (error) {
     status("cannot run here");
     complain(error);

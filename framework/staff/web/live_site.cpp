@@ -61,6 +61,11 @@ public:
         for (const char* name : {"relief.js", "relief.wasm"}) copy(site_.module / name, name);
         copy(site_.editor, "editor.js");
         copy(course_root() / "framework/staff/web/icon.svg", "icon.svg");
+        for (const char* name : {"compiled_task.js", "compiler.js"})
+            copy(course_root() / "framework/staff/web" / name, name);
+        if (!site_.compiler.empty())
+            for (const auto& entry : fs::directory_iterator(site_.compiler))
+                copy(entry.path(), fs::path("compiler") / entry.path().filename());
         put("live.css", style());
         put("live.js",
             pages::page_file("wipe", ".js") + "\n" + pages::page_file("framework/staff/web/live", ".js") + "\n");
@@ -70,13 +75,12 @@ private:
     void write_page(size_t i) {
         const LabEntry& lab = *labs_[i];
         const Manifest manifest = load_manifest(site_.course / "labs" / lab.folder / "lab.toml");
-        std::string task;
+        std::string task, code;
         std::vector<std::string> not_here;
-        for (const TaskInfo& each : manifest.tasks)
-            if (is_shader(each.file))
-                task = each.file;
-            else
-                not_here.push_back(each.id);
+        for (const TaskInfo& each : manifest.tasks) {
+            (is_shader(each.file) ? task : code) = each.file;
+            if (!is_shader(each.file) && site_.compiler.empty()) not_here.push_back(each.id);
+        }
         json first = json::array(), files = json::array();
         bool has_tessellation = false;
         for (const std::string& file : files_of(site_.course, lab.folder)) {
@@ -86,7 +90,8 @@ private:
             has_tessellation |= file.ends_with(".tese");
         }
         const json data = {
-            {"number", lab.number}, {"task", task}, {"not_here", not_here}, {"first", first}, {"files", files}};
+            {"number", lab.number}, {"task", task},   {"code", code},  {"compiler", !site_.compiler.empty()},
+            {"not_here", not_here}, {"first", first}, {"files", files}};
         const auto neighbour = [&](size_t index) {
             if (index >= labs_.size()) return pages::Value();
             return pages::Value(pages::Fields{{"file", pages::live_page_file(*labs_[index])},

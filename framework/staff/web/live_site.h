@@ -11,6 +11,8 @@ struct LiveSite {
     std::filesystem::path course;  ///< a students' course: see write_handout()
     std::filesystem::path module;  ///< folder of relief.js and relief.wasm, compiled from that course
     std::filesystem::path editor;  ///< the bundle of framework/staff/web/editor.js
+    /// Folder of the compiler for tasks in C++, as pack_compiler.mjs writes it. Empty: such tasks are not in the site.
+    std::filesystem::path compiler;
     std::filesystem::path folder;  ///< the site
 };
 

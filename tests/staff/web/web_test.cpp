@@ -7,6 +7,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
+#include "framework/course/app/stored_zip.h"
 #include "framework/course/manifest/manifest.h"
 #include "tests/browser.h"
 #include "tests/process.h"
@@ -78,6 +79,11 @@ protected:
         browser_->eval("editor.replace(" + json(text).dump() + ")");
         browser_->wait_for("(window.checked ?? 0) > " + std::to_string(before));
     }
+    /// Replaces the text of task.cpp, as by typing, and waits until the page has compiled it or shows an error.
+    static void compile(const std::string& text) {
+        browser_->eval("window.built = 0; code_editor.replace(" + json(text).dump() + ")");
+        browser_->wait_for("window.built");
+    }
     /// Opens a file as a knob's picture, as its button does. Without a text, the file is a picture that the browser
     /// makes.
     static void open_own(const std::string& text, const std::string& name, const std::string& type) {
@@ -104,6 +110,7 @@ protected:
         for (const std::string& address : browser_->requests())
             EXPECT_TRUE(address.starts_with(server_->address())) << where << " requests " << address;
     }
+    static fs::path code_of(const LabEntry& lab) { return course_root() / "labs" / lab.folder / "task.cpp"; }
     static std::string solution(const LabEntry& lab) {
         return read_file(course_root() / "shaders" / lab.folder / "task.glsl");
     }
@@ -127,16 +134,18 @@ TEST_F(Web, NoFileOfTheSiteHasASecret) {
     handout::expect_no_secrets(texts, labs);
 }
 
-// The solutions of all tasks that are shaders have all points, and the same picture as outside of a browser.
+// The solutions of all tasks have all points. A page compiles those in C++.
 TEST_F(Web, EachLabOpensDrawsAndAcceptsItsSolution) {
     for (const LabEntry& lab : registry()) {
         SCOPED_TRACE(lab.folder);
         if (!is_in_sample(lab.two_digits())) continue;
         open(lab);
         EXPECT_EQ(text_of("#problem"), "");
+        if (fs::exists(code_of(lab))) compile(read_file(code_of(lab)));
+        EXPECT_EQ(text_of("#problem"), "");
         write_and_check(solution(lab));
         int points = 0;
-        for (const TaskInfo& task : load_manifest(lab).tasks) points += is_shader(task.file) ? task.points : 0;
+        for (const TaskInfo& task : load_manifest(lab).tasks) points += task.points;
         EXPECT_TRUE(text_of("#points").starts_with(fmt::format("{} of {} p", points, points))) << text_of("#checks");
         expect_no_complaint(lab.folder);
     }
@@ -190,6 +199,34 @@ TEST_F(Web, AMistakeIsNamedMendedAndHandedIn) {
         run({relief_program(), "grade", submission.string(), "--trust", "-o", (folder_->path() / "marks").string()});
     EXPECT_EQ(graded.code, 0) << graded.err;
     EXPECT_TRUE(contains(read_file(folder_->path() / "marks" / "results.csv"), "ada,graded,13,13")) << graded.out;
+}
+
+TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
+    const LabEntry& lab = find_lab("08");
+    open(lab);
+    const std::string text = read_file(code_of(lab)), before = "    std::vector<int> order;\n";
+    const size_t at = text.find(before);
+    ASSERT_NE(at, text.npos);
+    const std::string place =
+        "task.cpp:" + std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')) + ": ";
+    const auto written = [&](const std::string& line) { return std::string(text).insert(at, line + "\n"); };
+    compile(written("    missing();"));
+    EXPECT_TRUE(contains(text_of("#problem"), place + "use of undeclared identifier 'missing'")) << text_of("#problem");
+    compile(written("    for (volatile int i = 0; i >= 0; i = 1) {}"));
+    browser_->wait_for("$('problem').textContent.includes('endless loop')");
+    EXPECT_TRUE(contains(text_of("#problem"), place + "task 8.2 stops: ")) << text_of("#problem");
+    compile(written("    if (surfaces[surfaces.size()].program) return {};"));
+    EXPECT_TRUE(contains(text_of("#problem"), place + "task 8.2 stops: ")) << text_of("#problem");
+    compile(text);
+    EXPECT_EQ(text_of("#problem"), "");
+    // Both files are one hand-in.
+    browser_->eval("editor.replace(" + json(solution(lab)).dump() + ")");
+    browser_->call("Browser.setDownloadBehavior", {{"behavior", "allow"}, {"downloadPath", folder_->path().string()}});
+    browser_->eval("$('download').click()");
+    const fs::path file = folder_->path() / "hand-in.zip";
+    ASSERT_TRUE(eventually([&] { return fs::exists(file) && fs::file_size(file) > 0; }));
+    EXPECT_EQ(read_file(file), app::stored_zip({{"labs/" + lab.folder + "/task.cpp", text},
+                                                {"shaders/" + lab.folder + "/task.glsl", solution(lab)}}));
 }
 
 TEST_F(Web, AnErrorNamesItsLine) {
