@@ -2,7 +2,7 @@
 // loop, a trap or a failed assertion becomes an error of the module that names the line.
 "use strict";
 
-const task_seconds = 3;  // of one call of a function
+const task_seconds = 2;  // of one call of a function
 const stack_bytes = 1 << 18;
 
 // Reads the tables of lines of a WebAssembly file: custom section .debug_line, DWARF 4. Returns a function from an
@@ -109,10 +109,11 @@ class CompiledTask {
     const written = address => { const all = new Uint8Array(asm.memory.buffer); return new TextDecoder().decode(all.slice(address, all.indexOf(0, address))); };
     const page = {
       allocate: asm.relief_allocate,
+      reallocate: asm.relief_reallocate,
       free: asm.relief_free,
       stop: why => { throw new Error(written(why)); },
       unfinished: (task, file, line) => this.throw_unfinished(written(task), line),
-      tick: () => { if (performance.now() - this.began > 1000 * task_seconds) throw this.stuck = new Error(`the task runs for more than ${task_seconds} s: an endless loop?`); },
+      tick: () => { if (performance.now() - this.began > 1000 * task_seconds) throw this.stuck = new Error(`it runs for more than ${task_seconds} s: an endless loop?`); },
     };
     const nothing = new Proxy({}, {get: () => () => 52});  // a task has no system: ENOSYS
     const compiled = await WebAssembly.compile(bytes);

@@ -34,9 +34,12 @@ const build = async ({file, text, memory, stack}) => {
   return {bytes: linked.files["task.wasm"], said: compiled.said + linked.said};
 };
 
-let last = Promise.resolve();
+// A text that was replaced while it waited is not compiled.
+let last = Promise.resolve(), newest;
 addEventListener("message", ({data}) => {
+  newest = data;
   last = last.then(async () => {
+    if (data !== newest) return postMessage({of: data.of, said: ""});
     try {
       postMessage({of: data.of, ...await build(data)});
     } catch (error) {

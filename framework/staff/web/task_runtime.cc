@@ -1,4 +1,5 @@
 // Linked with each task.cpp that a page compiles: its heap, its end by an error, and its time. See compiled_task.js.
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -8,7 +9,8 @@
 #define FROM_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
 extern "C" {
-FROM_PAGE("allocate") void* page_allocate(size_t bytes);
+FROM_PAGE("allocate") void* page_allocate(size_t bytes, size_t alignment);
+FROM_PAGE("reallocate") void* page_reallocate(void* place, size_t bytes);
 FROM_PAGE("free") void page_free(void* place);
 FROM_PAGE("stop") [[noreturn]] void page_stop(const char* why);
 FROM_PAGE("unfinished") [[noreturn]] void page_unfinished(const char* task, const char* file, int line);
@@ -17,11 +19,19 @@ FROM_PAGE("tick") void page_tick();
 
 extern char __stack_low;  // the linker defines it; the stack grows down
 
-void* malloc(size_t bytes) { return page_allocate(bytes); }
+// All functions of the C library's heap: if one is missing, the linker takes the library's own heap.
+void* malloc(size_t bytes) { return page_allocate(bytes, 1); }
 void free(void* place) { page_free(place); }
 void* calloc(size_t count, size_t size) {
-    void* const place = page_allocate(count * size);
-    return place ? std::memset(place, 0, count * size) : place;
+    size_t bytes = 0;
+    void* const place = __builtin_mul_overflow(count, size, &bytes) ? nullptr : page_allocate(bytes, 1);
+    return place ? std::memset(place, 0, bytes) : place;
+}
+void* realloc(void* place, size_t bytes) { return page_reallocate(place, bytes); }
+void* aligned_alloc(size_t alignment, size_t bytes) { return page_allocate(bytes, alignment); }
+int posix_memalign(void** place, size_t alignment, size_t bytes) {
+    *place = page_allocate(bytes, alignment);
+    return *place ? 0 : ENOMEM;
 }
 void abort() { page_stop("abort() was called"); }
 

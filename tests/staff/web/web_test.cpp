@@ -48,7 +48,8 @@ protected:
         std::string numbers;
         size_t count = 0;
         for (const LabEntry& lab : registry())
-            if (is_in_sample(lab.two_digits()) || lab.number == 6 || lab.number == 10 || lab.number == 13)
+            if (is_in_sample(lab.two_digits()) || lab.number == 5 || lab.number == 6 || lab.number == 10 ||
+                lab.number == 13)
                 ++count, numbers += (numbers.empty() ? "" : ",") + lab.two_digits();
         if (count < registry().size()) words.insert(words.end(), {"--labs", numbers});
         if (!tests_all()) words.push_back("--quick");
@@ -84,6 +85,16 @@ protected:
         browser_->eval("window.built = 0; code_editor.replace(" + json(text).dump() + ")");
         browser_->wait_for("window.built");
     }
+    static void compile_and_check(const std::string& text) {
+        const int before = browser_->eval("window.checked ?? 0");
+        compile(text);
+        browser_->wait_for("(window.checked ?? 0) > " + std::to_string(before) + " || !$('problem').hidden");
+        EXPECT_EQ(text_of("#problem"), "");
+    }
+    /// Returns the selector of a task's box.
+    static std::string box_of(std::string id) { return "#task-" + id.replace(id.find('.'), 1, "\\."); }
+    static std::string said_of(const TaskInfo& task) { return text_of(box_of(task.id) + " .points"); }
+    static std::string hint_of(const std::string& task) { return text_of(box_of(task) + " .hint"); }
     /// Opens a file as a knob's picture, as its button does. Without a text, the file is a picture that the browser
     /// makes.
     static void open_own(const std::string& text, const std::string& name, const std::string& type) {
@@ -201,32 +212,84 @@ TEST_F(Web, AMistakeIsNamedMendedAndHandedIn) {
     EXPECT_TRUE(contains(read_file(folder_->path() / "marks" / "results.csv"), "ada,graded,13,13")) << graded.out;
 }
 
+// Of lab 05, or of all five labs that have tasks in C++.
+TEST_F(Web, StartersInCppFailAndMistakesAreNamed) {
+    for (const LabEntry& lab : registry()) {
+        SCOPED_TRACE(lab.folder);
+        if (!fs::exists(code_of(lab)) || !(tests_all() || lab.number == 5)) continue;
+        open(lab);
+        const std::string code = read_file(code_of(lab)), file = "labs/" + lab.folder + "/task.cpp";
+        const Manifest manifest = load_manifest(lab);
+        write_and_check(solution(lab));
+        for (const TaskInfo& task : manifest.tasks)
+            if (task.file == file)
+                EXPECT_TRUE(said_of(task).starts_with(fmt::format("0 of {} p", task.points))) << said_of(task);
+        int mistakes = 0;
+        for (const MistakeInfo& mistake : manifest.mistakes) {
+            if (manifest.task(mistake.task).file != file || (mistakes && !tests_all())) continue;
+            ++mistakes;
+            std::string text = code;
+            for (const Edit& edit : mistake.edits) text.replace(text.find(edit.find), edit.find.size(), edit.replace);
+            compile_and_check(text);
+            EXPECT_TRUE(contains(hint_of(mistake.task), mistake.hint)) << mistake.id << ": " << hint_of(mistake.task);
+            const TaskInfo& task = manifest.task(mistake.task);
+            EXPECT_FALSE(said_of(task).starts_with(fmt::format("{} of {} p", task.points, task.points)));
+        }
+        EXPECT_GT(mistakes, 0);
+        expect_no_complaint(lab.folder);
+    }
+}
+
 TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
-    const LabEntry& lab = find_lab("08");
+    const LabEntry& lab = find_lab("05");
     open(lab);
-    const std::string text = read_file(code_of(lab)), before = "    std::vector<int> order;\n";
+    const std::string text = read_file(code_of(lab)), before = "    const auto& [p, uv] = triangle;\n";
     const size_t at = text.find(before);
     ASSERT_NE(at, text.npos);
     const std::string place =
         "task.cpp:" + std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')) + ": ";
-    const auto written = [&](const std::string& line) { return std::string(text).insert(at, line + "\n"); };
-    compile(written("    missing();"));
-    EXPECT_TRUE(contains(text_of("#problem"), place + "use of undeclared identifier 'missing'")) << text_of("#problem");
-    compile(written("    for (volatile int i = 0; i >= 0; i = 1) {}"));
-    browser_->wait_for("$('problem').textContent.includes('endless loop')");
-    EXPECT_TRUE(contains(text_of("#problem"), place + "task 8.2 stops: ")) << text_of("#problem");
-    compile(written("    if (surfaces[surfaces.size()].program) return {};"));
-    EXPECT_TRUE(contains(text_of("#problem"), place + "task 8.2 stops: ")) << text_of("#problem");
-    compile(text);
-    EXPECT_EQ(text_of("#problem"), "");
-    // Both files are one hand-in.
-    browser_->eval("editor.replace(" + json(solution(lab)).dump() + ")");
+    const auto expect = [&](const std::string& line, const std::string& message) {
+        compile(std::string(text).insert(at, "    " + line + "\n"));
+        browser_->wait_for("!$('problem').hidden");
+        EXPECT_TRUE(contains(text_of("#problem"), place + message)) << line << ": " << text_of("#problem");
+        EXPECT_EQ(browser_->eval("$('code').shadowRoot.querySelectorAll('.cm-lint-marker-error, .cm-lintRange-error').length > 0"),
+                  true)
+            << line;
+    };
+    expect("missing();", "use of undeclared identifier 'missing'");
+    const std::string stops = "task 5.1 stops: ";
+    expect("while (true) {}", stops + "it runs for more than");
+    expect("if (triangle.uv[triangle.uv.size()].x > 0) return {};", stops + "out-of-bounds access in std::array<T, N>");
+    expect("if (triangle.uv.at(triangle.uv.size()).x > 0) return {};", stops);
+    expect("for (volatile int zero = 0; 1 / zero;) {}", stops + "divide by zero");
+    compile(std::string(text).insert(at, "    int spare = 1;\n"));
+    EXPECT_TRUE(contains(text_of("#warnings"), place.substr(0, place.size() - 1)) &&
+                contains(text_of("#warnings"), "unused variable 'spare'"))
+        << text_of("#warnings");
+    browser_->wait_for("$('problem').hidden");
+}
+
+// Two files are one archive, as `relief hand-in` makes it.
+TEST_F(Web, ALabInCppAndGlslIsHandedInAndGraded) {
+    const LabEntry& lab = find_lab("05");
+    const std::string code = read_file(code_of(lab));
+    open(lab);
+    write_and_check(solution(lab));
+    compile_and_check(code);
+    EXPECT_TRUE(text_of("#points").starts_with("14 of 14 public points; ")) << text_of("#points");
     browser_->call("Browser.setDownloadBehavior", {{"behavior", "allow"}, {"downloadPath", folder_->path().string()}});
     browser_->eval("$('download').click()");
     const fs::path file = folder_->path() / "hand-in.zip";
     ASSERT_TRUE(eventually([&] { return fs::exists(file) && fs::file_size(file) > 0; }));
-    EXPECT_EQ(read_file(file), app::stored_zip({{"labs/" + lab.folder + "/task.cpp", text},
+    EXPECT_EQ(read_file(file), app::stored_zip({{"labs/" + lab.folder + "/task.cpp", code},
                                                 {"shaders/" + lab.folder + "/task.glsl", solution(lab)}}));
+    const fs::path submission = folder_->path() / "class-of-archives" / "ada.zip", marks = folder_->path() / "marks-05";
+    fs::create_directories(submission.parent_path());
+    fs::copy_file(file, submission);
+    const Result graded =
+        run({relief_program(), "grade", submission.string(), "--labs", "5", "--trust", "-o", marks.string()});
+    EXPECT_EQ(graded.code, 0) << graded.err;
+    EXPECT_TRUE(contains(read_file(marks / "results.csv"), "ada,graded,14,14")) << read_file(marks / "results.csv");
 }
 
 TEST_F(Web, AnErrorNamesItsLine) {
