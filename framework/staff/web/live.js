@@ -368,11 +368,16 @@ const keep = (text, file = site.task) => {
   } catch { status("this browser keeps no text: download your file before you leave"); }
 };
 const put_text = (file, text) => put(file, new TextEncoder().encode(text));
+const put_texts = () => {
+  put_text(site.task, editor.text());
+  if (code_editor) put_text(site.code, code_editor.text());
+};
 
-let pause, checking = 0;
+let pause, checking = 0, is_open = false;
 const written = text => {
   ++checking;  // ends a run of checks
   keep(text);
+  if (!is_open) return;
   clearTimeout(pause);
   pause = setTimeout(async () => {
     put_text(site.task, text);
@@ -430,6 +435,7 @@ const written_code = text => {
   ++checking;
   ++builds;
   keep(text, site.code);
+  if (!is_open) return;
   clearTimeout(pause_of_code);
   pause_of_code = setTimeout(build, 1000);
 };
@@ -442,7 +448,7 @@ const save = (name, bytes, type) => {
 // A lab with two files has them in one archive, as `relief hand-in` makes it.
 const download = async () => {
   if (!code_editor) return save(site.task.split("/").pop(), editor.text(), "text/plain");
-  put_text(site.task, editor.text()), put_text(site.code, code_editor.text());
+  put_texts();
   const {address, size} = await call("hand_in");
   save("hand-in.zip", relief.HEAPF32.buffer.slice(address, address + size), "application/zip");
 };
@@ -460,26 +466,25 @@ const show_file = file => {
   $("editor").hidden = file !== site.task, $("code").hidden = file !== site.code;
   for (const button of $("file").querySelectorAll("button")) button.setAttribute("aria-pressed", String(button.title === file));
 };
-const open_editor = () => {
-  const text_of = file => {
-    starters.set(file, relief.FS.readFile("/course/" + file, {encoding: "utf8"}));
-    const text = kept(file) ?? starters.get(file);
-    put_text(file, text);
-    return text;
-  };
+// The texts are here before the module, and can be edited while it is fetched.
+const open_editor = async () => {
+  await Promise.all(site.task_files.map(async file => {
+    const answer = await fetch("course/" + file);
+    if (!answer.ok) throw new Error(`${file}: the server says ${answer.status}`);
+    starters.set(file, await answer.text());
+  }));
+  const text_of = file => kept(file) ?? starters.get(file);
   editor = openEditor($("editor"), text_of(site.task), written);
   starter = starters.get(site.task);
   if (site.code && site.compiler) {
     code_editor = openEditor($("code"), text_of(site.code), written_code, "C++");
-    $("file").replaceChildren(...[...new Set(lab.tasks.map(task => task.file))].map(file =>
+    $("file").replaceChildren(...site.task_files.map(file =>
       make("button", {type: "button", textContent: file.split("/").pop(), title: file, onclick: () => show_file(file)})));
-    show_file(lab.tasks[0].file);
+    show_file(site.task_files[0]);
   } else {
-    if (site.code) text_of(site.code);
     $("file").textContent = site.task;
     show_file(site.task);
   }
-  $("download").onclick = download;
   $("load").onclick = () => $("chosen").click();
   $("chosen").onchange = load;
   $("reset").onclick = () => {
@@ -611,8 +616,8 @@ const open_module = () => new Promise((done, fail) => {
   openRelief({print: () => {}, printErr: text => console.info(text), instantiateWasm}).then(done, fail);
 });
 
-const start = async () => {
-  relief = await open_module();
+const start = async (module = open_module()) => {
+  relief = await module;
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
   site.renderer = await call("start", "#canvas");
@@ -626,7 +631,7 @@ const set_up_page = async () => {
   for (const probe of lab.probes) $("probe").append(make("option", {value: probe.name, textContent: probe.name}));
   make_knobs();
   link_commands();
-  open_editor();
+  $("download").onclick = download;
   make_checks();
   listen_to_view();
   $("probe").onchange = () => { remember(); $("pixel").textContent = ""; change(); };
@@ -652,14 +657,13 @@ const survive_a_lost_context = () => {
     event.preventDefault();
     status("the graphics driver was reset: starting again …");
     ++checking;
-    const text = editor.text(), code_text = code_editor?.text(), at = camera;
+    const at = camera;
     const values = lab.knobs.map(knob => [knob.name, is_own(knob) ? own_path(knob.value) : knob.value]);
     $("canvas").replaceWith($("canvas").cloneNode());
     fetched.clear();
     last_call = Promise.resolve();
     await start();
-    put_text(site.task, text);
-    if (code_editor) put_text(site.code, code_text);
+    put_texts();
     if (code.bytes) await code.load(code.bytes, code.text);
     for (const [path, bytes] of own_files) put_own(path, bytes);
     camera = at;
@@ -675,9 +679,14 @@ const survive_a_lost_context = () => {
 (async () => {
   const began = performance.now();
   try {
-    await start();
+    const module = open_module();
+    await open_editor();
+    await start(module);
     await set_up_page();
+    is_open = true;
+    put_texts();
     await redraw();
+    $("first").remove();
     survive_a_lost_context();
     $("check").disabled = false;
     status(`ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);

@@ -76,9 +76,11 @@ private:
         const LabEntry& lab = *labs_[i];
         const Manifest manifest = load_manifest(site_.course / "labs" / lab.folder / "lab.toml");
         std::string task, code;
-        std::vector<std::string> not_here;
+        std::vector<std::string> not_here, task_files;
         for (const TaskInfo& each : manifest.tasks) {
             (is_shader(each.file) ? task : code) = each.file;
+            if (std::find(task_files.begin(), task_files.end(), each.file) == task_files.end())
+                task_files.push_back(each.file);
             if (!is_shader(each.file) && site_.compiler.empty()) not_here.push_back(each.id);
         }
         json first = json::array(), files = json::array();
@@ -90,8 +92,8 @@ private:
             has_tessellation |= file.ends_with(".tese");
         }
         const json data = {
-            {"number", lab.number}, {"task", task},   {"code", code},  {"compiler", !site_.compiler.empty()},
-            {"not_here", not_here}, {"first", first}, {"files", files}};
+            {"number", lab.number}, {"task", task},   {"code", code},   {"compiler", !site_.compiler.empty()},
+            {"not_here", not_here}, {"first", first}, {"files", files}, {"task_files", task_files}};
         const auto neighbour = [&](size_t index) {
             if (index >= labs_.size()) return pages::Value();
             return pages::Value(pages::Fields{{"file", pages::live_page_file(*labs_[index])},
@@ -105,6 +107,8 @@ private:
                  {"title", manifest.title},
                  {"has_tessellation", has_tessellation},
                  {"lab", data.dump()},
+                 {"picture", lab.folder + ".png"},
+                 {"code", !code.empty() && !site_.compiler.empty()},
                  {"compiled",
                   not_here.empty() ? "" : (not_here.size() == 1 ? "task " : "tasks ") + join(not_here, ", ")},
                  {"blocks", pages::handout_blocks(lab, manifest, labs_,

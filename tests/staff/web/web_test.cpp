@@ -151,8 +151,7 @@ TEST_F(Web, EachLabOpensDrawsAndAcceptsItsSolution) {
         SCOPED_TRACE(lab.folder);
         if (!is_in_sample(lab.two_digits())) continue;
         open(lab);
-        EXPECT_EQ(text_of("#problem"), "");
-        if (fs::exists(code_of(lab))) compile(read_file(code_of(lab)));
+        if (fs::exists(code_of(lab))) compile_and_check(read_file(code_of(lab)));  // until then, a view may miss a task
         EXPECT_EQ(text_of("#problem"), "");
         write_and_check(solution(lab));
         int points = 0;
@@ -252,7 +251,8 @@ TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
         compile(std::string(text).insert(at, "    " + line + "\n"));
         browser_->wait_for("!$('problem').hidden");
         EXPECT_TRUE(contains(text_of("#problem"), place + message)) << line << ": " << text_of("#problem");
-        EXPECT_EQ(browser_->eval("$('code').shadowRoot.querySelectorAll('.cm-lint-marker-error, .cm-lintRange-error').length > 0"),
+        EXPECT_EQ(browser_->eval(
+                      "$('code').shadowRoot.querySelectorAll('.cm-lint-marker-error, .cm-lintRange-error').length > 0"),
                   true)
             << line;
     };
@@ -352,7 +352,7 @@ TEST_F(Web, AnOwnPictureAndTheTextSurviveALostContext) {
 }
 
 TEST_F(Web, PagesAreAccessible) {
-    for (const char* number : {"10", "13"}) {
+    for (const char* number : {"05", "10", "13"}) {
         const LabEntry& lab = find_lab(number);
         browser_->open_address(page_of(lab));
         browser_->wait_for("window.ready");
