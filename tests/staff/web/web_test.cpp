@@ -220,9 +220,10 @@ TEST_F(Web, StartersInCppFailAndMistakesAreNamed) {
         const std::string code = read_file(code_of(lab)), file = "labs/" + lab.folder + "/task.cpp";
         const Manifest manifest = load_manifest(lab);
         write_and_check(solution(lab));
-        for (const TaskInfo& task : manifest.tasks)
-            if (task.file == file)
-                EXPECT_TRUE(said_of(task).starts_with(fmt::format("0 of {} p", task.points))) << said_of(task);
+        for (const TaskInfo& task : manifest.tasks) {
+            if (task.file != file) continue;
+            EXPECT_TRUE(said_of(task).starts_with(fmt::format("0 of {} p", task.points))) << said_of(task);
+        }
         int mistakes = 0;
         for (const MistakeInfo& mistake : manifest.mistakes) {
             if (manifest.task(mistake.task).file != file || (mistakes && !tests_all())) continue;
