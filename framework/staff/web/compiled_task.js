@@ -154,7 +154,7 @@ class CompiledTask {
     }
     const task = /.*TASK ([0-9.]+[0-9])/s.exec(this.text.split("\n").slice(0, place ?? 0).join("\n"))?.[1];
     const why = error.name === "RangeError" ? "the stack is full: a function calls itself without an end"
-      : error.message.replace(/^.* assertion .* failed: /, "").trim();  // without a place in the library of C++
+      : error.message.replace(/^.* assertion .* failed: /, "").replace(" in -fno-exceptions mode with message", ":").trim();  // without a place in the library of C++
     this.module().ccall("relief_task_failed", null, ["string", "string", "number"],
                         [(task ? `task ${task} stops: ` : "the task stops: ") + why, this.file, place ?? 0]);
   }

@@ -261,8 +261,8 @@ TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
     const std::string stops = "task 5.1 stops: ";
     expect("while (true) {}", stops + "it runs for more than");
     expect("if (triangle.uv[triangle.uv.size()].x > 0) return {};", stops + "out-of-bounds access in std::array<T, N>");
-    expect("if (triangle.uv.at(triangle.uv.size()).x > 0) return {};", stops);
-    expect("for (volatile int zero = 0; 1 / zero;) {}", stops + "divide by zero");
+    expect("if (triangle.uv.at(triangle.uv.size()).x > 0) return {};", stops + "out_of_range was thrown: ");
+    expect("volatile int zero = 0, part = 7 / zero; static_cast<void>(part);", stops + "divide by zero");
     compile(std::string(text).insert(at, "    int spare = 1;\n"));
     EXPECT_TRUE(contains(text_of("#warnings"), place.substr(0, place.size() - 1)) &&
                 contains(text_of("#warnings"), "unused variable 'spare'"))
