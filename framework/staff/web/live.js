@@ -421,6 +421,7 @@ const build = async () => {
     for (const [name, value] of values)
       if (lab.knobs.find(knob => knob.name === name).value !== value) await set_knob(name, value);
     code_error = null;
+    $("points").textContent = "";
     await redraw();
     check();
   } catch (error) {
