@@ -99,7 +99,7 @@ const draw = async () => {
     does_not_compile = false;
   } catch (error) {
     does_not_compile = error.file === site.task;
-    fail(error);
+    fail(code_error && error.file === site.code ? code_error : error);  // the newest text's error, not that of the last working one
   }
 };
 
@@ -430,7 +430,7 @@ const build = async () => {
     $("points").textContent = bytes ? "" : "does not compile";
     status(bytes ? "task.cpp cannot run" : "task.cpp does not compile");
   }
-  window.built = seconds;  // for tests
+  if (run === builds) window.built = seconds;  // for tests
 };
 const written_code = text => {
   ++checking;

@@ -140,7 +140,8 @@ TEST_F(Web, NoFileOfTheSiteHasASecret) {
     std::map<std::string, std::string> texts;
     for (const auto& entry : fs::recursive_directory_iterator(site())) {
         const std::string kind = entry.path().extension().string();
-        if (entry.is_regular_file() && kind != ".png" && kind != ".exr")
+        const bool is_compiler = entry.path().filename().string().starts_with("llvm.core");  // as the package has it
+        if (entry.is_regular_file() && kind != ".png" && kind != ".exr" && !is_compiler)
             texts.emplace(entry.path().lexically_relative(site()), read_file(entry.path()));
     }
     EXPECT_TRUE(texts.contains("relief.wasm"));
@@ -185,9 +186,11 @@ TEST_F(Web, EachLabOpensDrawsAndAcceptsItsSolution) {
         if (fs::exists(code_of(lab))) compile(read_file(code_of(lab)));  // until then, a view may miss a task
         EXPECT_EQ(text_of("#problem"), "");
         write_and_check(solution(lab));
-        int points = 0;
-        for (const TaskInfo& task : load_manifest(lab).tasks) points += task.points;
+        const Manifest manifest = load_manifest(lab);
+        const int points = manifest.points();
         EXPECT_TRUE(text_of("#points").starts_with(fmt::format("{} of {} p", points, points))) << text_of("#checks");
+        for (const TaskInfo& task : manifest.tasks)
+            EXPECT_TRUE(said_of(task).starts_with(fmt::format("{} of {} ", task.points, task.points))) << said_of(task);
         expect_no_complaint(lab.folder);
     }
 }
@@ -254,7 +257,7 @@ TEST_F(Web, StartersInCppFailAndMistakesAreNamed) {
         write_and_check(solution(lab));
         for (const TaskInfo& task : manifest.tasks) {
             if (task.file != file) continue;
-            EXPECT_TRUE(said_of(task).starts_with(fmt::format("0 of {} p", task.points))) << said_of(task);
+            EXPECT_TRUE(said_of(task).starts_with(fmt::format("0 of {} ", task.points))) << said_of(task);
         }
         int mistakes = 0;
         for (const MistakeInfo& mistake : manifest.mistakes) {
@@ -265,7 +268,7 @@ TEST_F(Web, StartersInCppFailAndMistakesAreNamed) {
             compile_and_check(text);
             EXPECT_TRUE(contains(hint_of(mistake.task), mistake.hint)) << mistake.id << ": " << hint_of(mistake.task);
             const TaskInfo& task = manifest.task(mistake.task);
-            EXPECT_FALSE(said_of(task).starts_with(fmt::format("{} of {} p", task.points, task.points)));
+            EXPECT_FALSE(said_of(task).starts_with(fmt::format("{} of {} ", task.points, task.points)));
         }
         EXPECT_GT(mistakes, 0);
         expect_no_complaint(lab.folder);
@@ -289,12 +292,16 @@ TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
                   true)
             << line;
     };
-    expect("missing();", "use of undeclared identifier 'missing'");
     const std::string stops = "task 5.1 stops: ";
     expect("while (true) {}", stops + "it runs for more than");
     expect("if (triangle.uv[triangle.uv.size()].x > 0) return {};", stops + "out-of-bounds access in std::array<T, N>");
     expect("if (triangle.uv.at(triangle.uv.size()).x > 0) return {};", stops + "out_of_range was thrown: ");
     expect("volatile int zero = 0, part = 7 / zero; static_cast<void>(part);", stops + "divide by zero");
+    expect("missing();", "use of undeclared identifier 'missing'");
+    // Until the text compiles, the page draws with the last one that did, whose errors are of no interest.
+    browser_->eval("window.drawn = false; redraw().then(() => { window.drawn = true; })");
+    browser_->wait_for("window.drawn");
+    EXPECT_TRUE(contains(text_of("#problem"), "'missing'")) << text_of("#problem");
     compile(std::string(text).insert(at, "    int spare = 1;\n"));
     EXPECT_TRUE(contains(text_of("#warnings"), place.substr(0, place.size() - 1)) &&
                 contains(text_of("#warnings"), "unused variable 'spare'"))
@@ -320,7 +327,7 @@ TEST_F(Web, ALabInCppAndGlslIsHandedInAndGraded) {
     fs::create_directories(submission.parent_path());
     fs::copy_file(file, submission);
     const Result graded =
-        run({relief_program(), "grade", submission.string(), "--labs", "5", "--trust", "-o", marks.string()});
+        run({relief_program(), "grade", submission.string(), "--lab", "05", "--trust", "-o", marks.string()});
     EXPECT_EQ(graded.code, 0) << graded.err;
     EXPECT_TRUE(contains(read_file(marks / "results.csv"), "ada,graded,14,14")) << read_file(marks / "results.csv");
 }
