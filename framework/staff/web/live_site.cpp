@@ -61,11 +61,12 @@ public:
         for (const char* name : {"relief.js", "relief.wasm"}) copy(site_.module / name, name);
         copy(site_.editor, "editor.js");
         copy(course_root() / "framework/staff/web/icon.svg", "icon.svg");
-        for (const char* name : {"compiled_task.js", "compiler.js"})
-            copy(course_root() / "framework/staff/web" / name, name);
-        if (!site_.compiler.empty())
+        copy(course_root() / "framework/staff/web/compiled_task.js", "compiled_task.js");
+        if (!site_.compiler.empty()) {
+            copy(course_root() / "framework/staff/web/compiler.js", "compiler.js");
             for (const auto& entry : fs::directory_iterator(site_.compiler))
                 copy(entry.path(), fs::path("compiler") / entry.path().filename());
+        }
         put("live.css", style());
         put("live.js",
             pages::page_file("wipe", ".js") + "\n" + pages::page_file("framework/staff/web/live", ".js") + "\n");
