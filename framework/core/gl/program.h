@@ -22,8 +22,8 @@ class CubeTexture;
 class Texture;
 
 /// A linked program whose uniforms are set by name. Setting a uniform that this permutation does not use has no effect,
-/// if its name begins with u_ or s_. A name that appears in none of the program's files throws Error, which suggests the
-/// nearest name.
+/// if its name begins with u_ or s_. A name that appears in none of the program's files throws Error, which suggests
+/// the nearest name.
 class Program {
 public:
     /// Compiles and links `stages`, paths whose extension names the stage: .vert .tesc .tese .geom .frag. Throws Error

@@ -291,13 +291,12 @@ TEST(Gradescope, ShowsPicturesOfFailedChecksInViewsThatStudentsKnow) {
 TEST(Exports, PointsOfTheListedChecksAddUpToTheMark) {
     SubmissionMark mark = with_failures();
     std::vector<check::Verdict>& checks = mark.labs[0].tasks[0].checks;
-    checks[0].of_words = checks[3].of_words = true;  // one share of three, which is lost: the other two are lost as well
+    checks[0].of_words = checks[3].of_words = true;  // one share of three; one call is wrong, so all of it is lost
     checks[1].outcome = check::Outcome::passed;
     const double points = mark.labs[0].points();
     EXPECT_NEAR(points, 4.0 / 3, 1e-9);
-    for (const auto& [text, got, most] :
-         {std::tuple(to_prairielearn(standing_of(mark)), "points", "max_points"),
-          std::tuple(to_gradescope(standing_of(mark)), "score", "max_score")}) {
+    for (const auto& [text, got, most] : {std::tuple(to_prairielearn(standing_of(mark)), "points", "max_points"),
+                                          std::tuple(to_gradescope(standing_of(mark)), "score", "max_score")}) {
         double sum = 0, all = 0;
         const json tests = json::parse(text).at("tests");
         for (const json& test : tests) sum += test.value(got, 0.0), all += test.value(most, 0.0);

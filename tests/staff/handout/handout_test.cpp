@@ -273,8 +273,8 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
     ASSERT_EQ(configured.code, 0) << configured.err;
     for (const char* target : {"relief_cpu", "relief_framework", "programs"}) ASSERT_NO_FATAL_FAILURE(ninja(target));
 
-    // Objects that the compiler cache took from the staff's course must depend on this course's files: otherwise an edit
-    // would not be compiled.
+    // Objects that the compiler cache took from the staff's course must depend on this course's files: otherwise an
+    // edit would not be compiled.
     const Result dependencies = run({"ninja", "-C", build.string(), "-t", "deps"});
     EXPECT_TRUE(contains(dependencies.out, "framework/core/lab/lab.h"));
     EXPECT_FALSE(contains(dependencies.out, course_root().string() + "/framework/"));
