@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <map>
+#include <new>
 #include <set>
 
 #include "framework/core/base/error.h"
@@ -16,13 +19,20 @@ namespace relief {
 namespace {
 
 TEST(SharedWork, GoesToAllProcessesOnceEach) {
+    const unsigned wanted = std::min(40u, hardware_threads());
+    void* const memory =
+        mmap(nullptr, sizeof(std::atomic<unsigned>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    ASSERT_NE(memory, MAP_FAILED);
+    auto* const with_a_part = new (memory) std::atomic<unsigned>(0);
     std::map<int, int> times;
     std::set<int> processes;
     share_among_processes(
         40,
-        [](const NextPart& next, const Say& say) {
-            while (const auto part = next()) {
-                usleep(2000);
+        [&](const NextPart& next, const Say& say) {
+            for (bool is_first = true; const auto part = next(); is_first = false) {
+                if (is_first) ++*with_a_part;
+                // On a busy machine, one process could take all parts before another one begins.
+                for (int i = 0; i < 20'000 && *with_a_part < wanted; ++i) usleep(1000);
                 say(fmt::format("{} {}", *part, getpid()));
             }
         },
@@ -33,8 +43,9 @@ TEST(SharedWork, GoesToAllProcessesOnceEach) {
         });
     EXPECT_EQ(times.size(), 40u);
     for (const auto& [part, count] : times) EXPECT_EQ(count, 1) << part;
-    EXPECT_EQ(processes.size(), std::min(40u, hardware_threads()));
+    EXPECT_EQ(processes.size(), wanted);
     EXPECT_FALSE(processes.contains(getpid())) << "not in this one, which may have a context";
+    munmap(memory, sizeof(std::atomic<unsigned>));
 }
 
 TEST(SharedWork, EndsWithAFailureOrCrash) {
