@@ -11,9 +11,9 @@
 #include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
-#include "framework/course/app/stored_zip.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/starter.h"
+#include "framework/course/check/stored_zip.h"
 #include "framework/course/check/task_names.h"
 #include "framework/course/check/task_text.h"
 #include "framework/course/manifest/manifest.h"
@@ -129,7 +129,7 @@ int hand_in(const std::vector<std::string>& words, const fs::path& output) {
     if (!untouched.empty()) fmt::print("nothing written, so not packed: lab {}\n", join(untouched, ", "));
     if (packed.empty()) throw Error("no task is written: there is nothing to hand in");
     const bool is_replaced = fs::exists(output);
-    write_file(output, stored_zip(packed));
+    write_file(output, check::stored_zip(packed));
     fmt::print("{}{}: {} task file{}. Hand in this file; ./relief check LAB says how good it is\n", output.string(),
                is_replaced ? ", which replaces the earlier one" : "", packed.size(), packed.size() == 1 ? "" : "s");
     return is_faulty ? 1 : 0;

@@ -6,6 +6,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
+#include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
 #include "framework/course/check/last_points.h"
 #include "framework/course/manifest/manifest.h"
@@ -32,7 +33,7 @@ void print_lab(const ListedLab& one) {
     std::string points = manifest.tasks.empty() ? "" : std::to_string(manifest.points());
     if (manifest.optional_points() > 0) points += fmt::format(" + {}", manifest.optional_points());
     print_row(one.lab->two_digits(), one.lab->name, manifest.title + (manifest.elective ? " *" : ""),
-              manifest.hours > 0 ? fmt::format("{:g}", manifest.hours) : "", points,
+              manifest.hours > 0 ? rounded(manifest.hours) : "", points,
               check::last_points(*one.lab, manifest).value_or("-"));
 }
 

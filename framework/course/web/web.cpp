@@ -15,8 +15,8 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/shot.h"
-#include "framework/course/app/stored_zip.h"
 #include "framework/course/check/check.h"
+#include "framework/course/check/stored_zip.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/web/webgl.h"
 #include "framework/library/maps/visualize.h"
@@ -302,7 +302,7 @@ EMSCRIPTEN_KEEPALIVE const char* relief_hand_in() {
         static std::string archive;
         std::map<std::string, std::string> files;
         for (const TaskInfo& task : lab().manifest.tasks) files[task.file] = read_file(course_root() / task.file);
-        archive = app::stored_zip(files);
+        archive = check::stored_zip(files);
         return {{"address", reinterpret_cast<uintptr_t>(archive.data())}, {"size", archive.size()}};
     });
 }

@@ -11,7 +11,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/file.h"
-#include "framework/course/app/stored_zip.h"
+#include "framework/course/check/stored_zip.h"
 #include "framework/course/manifest/manifest.h"
 #include "tests/browser.h"
 #include "tests/process.h"
@@ -325,8 +325,8 @@ TEST_F(Web, ALabInCppAndGlslIsHandedInAndGraded) {
     browser_->eval("$('download').click()");
     const fs::path file = folder_->path() / "hand-in.zip";
     ASSERT_TRUE(eventually([&] { return fs::exists(file) && fs::file_size(file) > 0; }));
-    EXPECT_EQ(read_file(file), app::stored_zip({{"labs/" + lab.folder + "/task.cpp", code},
-                                                {"shaders/" + lab.folder + "/task.glsl", solution(lab)}}));
+    EXPECT_EQ(read_file(file), check::stored_zip({{"labs/" + lab.folder + "/task.cpp", code},
+                                                  {"shaders/" + lab.folder + "/task.glsl", solution(lab)}}));
     const fs::path submission = folder_->path() / "class-of-archives" / "ada.zip", marks = folder_->path() / "marks-05";
     fs::create_directories(submission.parent_path());
     fs::copy_file(file, submission);

@@ -1,8 +1,8 @@
-#include "framework/course/app/stored_zip.h"
+#include "framework/course/check/stored_zip.h"
 
 #include <cstdint>
 
-namespace relief::app {
+namespace relief::check {
 namespace {
 
 /// CRC-32 of the zip format (ISO 3309).
@@ -61,4 +61,4 @@ std::string stored_zip(const std::map<std::string, std::string>& files) {
     return out;
 }
 
-}  // namespace relief::app
+}  // namespace relief::check
