@@ -1,5 +1,6 @@
 // The labs in a browser: Chromium, which draws with Mesa's llvmpipe on an X server of its own.
 #include <cxxabi.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
