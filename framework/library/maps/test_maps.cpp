@@ -107,30 +107,43 @@ Image bricks(int size) {
 
 /// Worley noise (1996) with one random point per cell. Joints are where the two nearest points are equally far.
 Image stones(int size) {
-    constexpr int cells = 8;
+    constexpr int cells = 8, reach = 2, width = 2 * reach + 1, count = width * width;
     struct Stone {
         float x, y, top;  ///< its point's place in its cell, and its height
     };
     std::array<Stone, cells * cells> all{};
     for (uint32_t id = 0; id < all.size(); ++id)
         all[id] = {0.7f * dice(id, 1), 0.7f * dice(id, 2), 0.65f + 0.35f * dice(id, 3)};
+    struct Neighbours {
+        std::array<float, count> x, y, top;
+    };
+    std::vector<Neighbours> of_cell(all.size());  // the same stones are near all texels of a cell
+    for (int cell = 0; cell < cells * cells; ++cell)
+        for (int n = 0; n < count; ++n) {
+            const int i = cell % cells - reach + n % width, j = cell / cells - reach + n / width;
+            const Stone& stone = all[size_t((j + cells) % cells * cells + (i + cells) % cells)];
+            of_cell[size_t(cell)].x[size_t(n)] = float(i) + 0.15f + stone.x;
+            of_cell[size_t(cell)].y[size_t(n)] = float(j) + 0.15f + stone.y;
+            of_cell[size_t(cell)].top[size_t(n)] = stone.top;
+        }
     Image image = by_texel(size, [&](int x, int y) {
         const float px = float(x) * cells / float(size), py = float(y) * cells / float(size);
-        float first = 9, second = 9, top = 0;
-        for (int j = int(py) - 2; j <= int(py) + 2; ++j)
-            for (int i = int(px) - 2; i <= int(px) + 2; ++i) {
-                const Stone& stone = all[size_t((j + cells) % cells * cells + (i + cells) % cells)];
-                const float dx = float(i) + 0.15f + stone.x - px, dy = float(j) + 0.15f + stone.y - py;
-                const float distance = std::sqrt(dx * dx + dy * dy);
-                if (distance < first) {
-                    second = std::exchange(first, distance);
-                    top = stone.top;
-                } else {
-                    second = std::min(second, distance);
-                }
+        const Neighbours& near = of_cell[size_t(int(py) * cells + int(px))];
+        std::array<float, count> squares{};
+        for (size_t n = 0; n < count; ++n) {
+            const float dx = near.x[n] - px, dy = near.y[n] - py;
+            squares[n] = dx * dx + dy * dy;
+        }
+        float first = 81, second = 81, top = 0;
+        for (size_t n = 0; n < count; ++n)
+            if (squares[n] < first) {
+                second = std::exchange(first, squares[n]);
+                top = near.top[n];
+            } else {
+                second = std::min(second, squares[n]);
             }
-        const float dome = 1 - 0.45f * first * first;
-        return top * dome * smooth_step(0.02f, 0.28f, second - first);
+        const float nearest = std::sqrt(first), dome = 1 - 0.45f * nearest * nearest;
+        return top * dome * smooth_step(0.02f, 0.28f, std::sqrt(second) - nearest);
     });
     stretch_to_unit(image);
     return image;
