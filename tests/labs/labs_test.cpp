@@ -393,10 +393,11 @@ TEST_P(EveryLab, MeasuresTheSameNumbersForAPictureOfAnySizeOrSaysThatItDoesNot) 
         Shot sized = shot();
         sized.size = size;
         if (!view.empty()) sized.set = {{"view", view}};
-        const WithoutWords no_words;
+        std::vector<PictureWord> words;
+        sized.words = &words;
         picture(sized);
         std::multiset<std::string> numbers;
-        for (const PictureWord& word : no_words.words())
+        for (const PictureWord& word : words)
             if (word.kind == PictureWord::Kind::caption && word.text.find_first_of("0123456789") != std::string::npos)
                 numbers.insert(word.text);
         return numbers;
@@ -419,12 +420,8 @@ public:
 std::string faults_of_view(Lab& lab, Shot shot, glm::ivec2 size) {
     shot.size = size;
     std::vector<PictureWord> words;
-    {
-        const WithoutWords no_words;
-        const Target target(TargetKind::picture, size);
-        draw_lab(lab, frame_of(shot, target));
-        words = no_words.words();
-    }
+    shot.words = &words;
+    draw_lab(lab, frame_of(shot, Target(TargetKind::picture, size)));
     for (PictureWord& word : words) word.place *= size, word.size *= size;
     const Letters of_window{
         .width = [](const std::string& text, float height) { return 0.6f * height * float(text.size()); },
@@ -512,9 +509,10 @@ TEST_P(EveryLab, ShowsTheNotesAboutAFileInItsPicture) {
             }();
             const std::string printed = testing::internal::GetCapturedStderr();
             if (!lab) continue;
-            const WithoutWords no_words;
+            std::vector<PictureWord> words;
+            with.words = &words;
             draw_shot(*lab, with);
-            for (const PictureWord& word : no_words.words())
+            for (const PictureWord& word : words)
                 if (word.text.starts_with(std::string(file) + ":")) named = file;
             EXPECT_TRUE(contains(printed, "relief: " + std::string(file) + ":")) << knob << ": " << printed;
         }

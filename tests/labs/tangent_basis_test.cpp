@@ -92,7 +92,8 @@ TEST(TangentBasis, TheColoursOfTheViewFramesAreTheAnglesToDPdV) {
         const Image error = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::angle);
         shot.probe = {};
         shot.set.insert(shot.set.end(), {{"show", "error"}});
-        const WithoutWords no_words;
+        std::vector<PictureWord> left_out;
+        shot.words = &left_out;
         const Image picture = drawn("05", shot);
         size_t seen = 0, equal = 0;
         for (size_t i = 0; i < picture.pixel_count(); ++i) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "framework/core/gl/gl.h"
 #include "framework/core/gl/gpu_mesh.h"
@@ -15,6 +16,7 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/probe.h"
 #include "framework/core/lab/registry.h"
+#include "framework/core/lab/words.h"
 
 namespace relief {
 
@@ -29,6 +31,7 @@ struct Frame {
     double time;      ///< seconds
     Camera camera;
     Probe probe;
+    std::vector<PictureWord>* words = nullptr;  ///< takes the words over the picture; null: they are in the picture
 
     /// Returns the ray through the centre of pixel (x, y) of the picture; row 0 is the top.
     Ray ray(int x, int y) const { return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2}); }

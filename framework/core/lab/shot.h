@@ -26,6 +26,7 @@ struct Shot {
     Probe probe;
     std::vector<std::pair<std::string, std::string>> set;  ///< knobs and their values, in order
     Calls calls = {};                                      ///< see check::make_drawer()
+    std::vector<PictureWord>* words = nullptr;             ///< see Frame; must outlive the draw
 };
 
 /// Returns a camera in the format of `--camera`, to four digits, which suffice for a picture.

@@ -1,9 +1,8 @@
-// Pictures without words, for pages, slides and the window, which put the words over their pictures.
+// The words over a lab's picture. Pages, slides and the window take them, and write them themselves.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <string>
-#include <vector>
 
 namespace relief {
 
@@ -27,26 +26,5 @@ struct PictureWord {
     float anchor = 0;  ///< of a text: 0 left, 0.5 middle, 1 right
     int parts = 1;     ///< of a scale: each tick is a tenth of the next
 };
-
-/// While one exists, labs draw no text and no scales over their pictures. The latest of them collects these instead.
-class WithoutWords {
-public:
-    WithoutWords();
-    ~WithoutWords();
-    WithoutWords(const WithoutWords&) = delete;
-    WithoutWords& operator=(const WithoutWords&) = delete;
-
-    /// Returns the words of all pictures since the construction, in the order in which they were drawn.
-    const std::vector<PictureWord>& words() const { return words_; }
-
-private:
-    friend void leave_out(std::vector<PictureWord> words);
-    std::vector<PictureWord> words_;
-    WithoutWords* outer_;
-};
-
-bool has_words();
-/// Gives words that were not drawn to the latest WithoutWords. There must be one.
-void leave_out(std::vector<PictureWord> words);
 
 }  // namespace relief

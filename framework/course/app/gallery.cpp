@@ -182,25 +182,24 @@ private:
 
     /// Draws the lab's cover, because many labs open with all methods at once. The card has its words.
     static Image card_picture(const LabEntry& entry, const Manifest& manifest) {
-        const WithoutWords no_words;
         Shot shot;
         shot.camera = manifest.camera;
         if (!manifest.cover.empty()) shot = manifest.golden(manifest.cover).shot;
-        shot.probe = {};
-        shot.size = {640, 360};
+        std::vector<PictureWord> left_out;
+        shot.probe = {}, shot.size = {640, 360}, shot.words = &left_out;
         return render_shot(*make_lab(entry, shot), shot);
     }
 
     /// Draws the picture of the first page: the course's richest scene, or else the last lab's.
     void draw_hero() {
         constexpr int richest = 16;
-        const WithoutWords no_words;
         if (pages_.empty()) return;
         auto page = std::find_if(pages_.begin(), pages_.end(),
                                  [](const pages::LabPage& one) { return one.lab->number == richest; });
         if (page == pages_.end()) page = std::prev(pages_.end());
+        std::vector<PictureWord> left_out;
         Shot shot;
-        shot.camera = page->manifest->camera, shot.size = {1280, 480};
+        shot.camera = page->manifest->camera, shot.size = {1280, 480}, shot.words = &left_out;
         hero_ = pages::Fields{{"file", pages::lab_page_file(*page->lab)},
                               {"picture", put("hero.png", render_shot(*make_lab(*page->lab, shot), shot))},
                               {"number", page->lab->two_digits()},
@@ -242,9 +241,11 @@ private:
         const bool is_solved = fs::is_directory(course_root() / "framework/staff");
         const auto draw = [&](const GoldenInfo& golden) -> std::optional<pages::WordlessPicture> {
             if (!is_solved || golden.shot.probe) return {};
-            const WithoutWords no_words;
-            Image image = render_shot(*make_lab(entry, golden.shot), golden.shot);
-            return pages::WordlessPicture{std::move(image), no_words.words()};
+            std::vector<PictureWord> words;
+            Shot shot = golden.shot;
+            shot.words = &words;
+            Image image = render_shot(*make_lab(entry, shot), shot);
+            return pages::WordlessPicture{std::move(image), std::move(words)};
         };
         put(pages::handout_file(entry), pages::handout_page(entry, manifest, labs_, put, draw));
         return pages::handout_file(entry);

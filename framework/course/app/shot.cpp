@@ -95,9 +95,8 @@ int take_shot(const ShotArguments& arguments) {
         return *std::move(found);
     };
 
-    std::optional<WithoutWords> without_words;
-    if (!arguments.words.empty()) without_words.emplace();
-    std::vector<PictureWord> below;
+    std::vector<PictureWord> words, below;
+    if (!arguments.words.empty()) shot.words = &words;
     Image image;
     std::string summary;
     if (show == Show::truth) {
@@ -134,8 +133,7 @@ int take_shot(const ShotArguments& arguments) {
     if (!floats && (show == Show::probe || show == Show::truth))
         image = visualize_probe(image, manifest.probe(shot.probe.name).colors());
 
-    if (without_words) {
-        std::vector<PictureWord> words = without_words->words();
+    if (shot.words) {
         words.insert(words.end(), below.begin(), below.end());
         write_file(arguments.words, pages::picture_words_markup(words));
     }

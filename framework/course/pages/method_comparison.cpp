@@ -86,10 +86,10 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         shot.set.emplace_back(info.knob, value), shot.probe = {};
         ComparedMethod& method = result.methods.emplace_back(ComparedMethod{value, {}, {}, {}});
         const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
-        {
-            const WithoutWords no_words;  // the page names the method
-            method.picture = render_shot(*drawn, shot);
-        }
+        std::vector<PictureWord> left_out;  // the page names the method
+        Shot picture = shot;
+        picture.words = &left_out;
+        method.picture = render_shot(*drawn, picture);
         if (!probe) continue;
         shot.probe = probe;
         shot.size = shot.size * 3 / 4;  // a probe needs no smooth edges, and its exact values are slow to compute

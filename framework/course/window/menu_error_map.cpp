@@ -68,9 +68,10 @@ std::vector<PictureWord> words_of(const Stage& stage) {
     shot.probe = {};
     shot.size = glm::max(shot.size / 4, glm::ivec2(1));
     const Target target(TargetKind::picture, shot.size);
-    const WithoutWords without_words;
+    std::vector<PictureWord> words;
+    shot.words = &words;
     draw_lab(*stage.lab(), frame_of(shot, target));
-    return without_words.words();
+    return words;
 }
 
 /// Draws the scale of pages::error_map().

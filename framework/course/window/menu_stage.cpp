@@ -168,9 +168,10 @@ bool Stage::draw(glm::ivec2 size, double time) {
             shown_ = 0;
             target_ = Target(kind, size);  // made before the old one goes: they share a program
         }
-        const WithoutWords without_words;
-        draw_lab(*lab_, frame_of(shot_, *target_));
-        words_ = without_words.words();
+        words_.clear();
+        Frame frame = frame_of(shot_, *target_);
+        frame.words = &words_;
+        draw_lab(*lab_, frame);
         draw_calls_ = counters().draw_calls - draw_calls_before;
         glFinish();
         milliseconds_ = milliseconds_since(begin);
@@ -217,9 +218,9 @@ bool Stage::prepare(glm::ivec2 size, double time) {
 /// Draws the frame in another size. Returns its target.
 Target Stage::draw_part(glm::ivec2 size, double time) {
     Shot shot = shot_;
-    shot.size = glm::max(size, glm::ivec2(1)), shot.time = time;
+    std::vector<PictureWord> left_out;
+    shot.size = glm::max(size, glm::ivec2(1)), shot.time = time, shot.words = &left_out;
     Target target(shot.probe ? TargetKind::probe : TargetKind::picture, shot.size);
-    const WithoutWords without_words;
     draw_lab(*lab_, frame_of(shot, target));
     return target;
 }

@@ -145,9 +145,12 @@ std::vector<Labels::Corner> Labels::corners_of(const WordLayout& layout) {
 void Labels::draw(const Frame& frame) {
     std::vector<PictureWord> words = std::exchange(words_, {});
     if (frame.probe || std::exchange(draw_, draws_begun()) != draws_begun()) return;
-    if (!has_words()) {
-        for (PictureWord& word : words) word.place /= frame.size, word.size /= frame.size;
-        return leave_out(std::move(words));
+    if (frame.words) {
+        for (PictureWord& word : words) {
+            word.place /= frame.size, word.size /= frame.size;
+            frame.words->push_back(std::move(word));
+        }
+        return;
     }
     const std::vector<Corner> corners = corners_of(lay_out(words, glm::vec2(frame.size), letters(frame.size)));
     if (corners.empty()) return;

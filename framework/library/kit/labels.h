@@ -18,8 +18,7 @@ enum class Align { left, centre, right };
 
 /// Collects text and shapes, lays them out by lay_out(), and draws them over the picture in one draw call. Positions
 /// and sizes are in pixels of the frame, from its upper left corner. Colours are in stored sRGB. Draws nothing on a
-/// probe. Drops the labels of a draw that threw. While pictures have no words, it gives them to WithoutWords, and draws
-/// none.
+/// probe. Drops the labels of a draw that threw. Where a frame takes its words, it gives them to it, and draws none.
 class Labels {
 public:
     /// Returns the height of a line of text for a frame of this size: legible, and the same share of any larger

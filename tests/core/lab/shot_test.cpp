@@ -198,17 +198,17 @@ private:
     Labels labels_;
 };
 
-TEST(Shot, LeavesItsWordsToWithoutWords) {
+TEST(Shot, GivesItsWordsToTheCallerThatTakesThem) {
     Labelled lab;
     const Image plain = take_left_half({0, 1, 0, 1}, small), labelled = render_shot(lab, small);
     EXPECT_NE(labelled.values, plain.values);
-    {
-        const WithoutWords no_words;
-        EXPECT_EQ(render_shot(lab, small).values, plain.values);
-        ASSERT_EQ(no_words.words().size(), 1u);
-        EXPECT_EQ(no_words.words()[0].text, "word");
-        EXPECT_EQ(no_words.words()[0].place, glm::vec2(1.0f / float(small.size.x), 1.0f / float(small.size.y)));
-    }
+    std::vector<PictureWord> words;
+    Shot wordless = small;
+    wordless.words = &words;
+    EXPECT_EQ(render_shot(lab, wordless).values, plain.values);
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "word");
+    EXPECT_EQ(words[0].place, glm::vec2(1.0f / float(small.size.x), 1.0f / float(small.size.y)));
     EXPECT_EQ(render_shot(lab, small).values, labelled.values);
 }
 
