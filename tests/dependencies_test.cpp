@@ -267,6 +267,14 @@ TEST(Rooms, AreListedInContributing) {
         }
 }
 
+// CONTRIBUTING prints these lines as the list of a room's files.
+TEST(Rooms, HaveHeadersWhoseFirstLineSaysWhatTheyHave) {
+    const int count = each_file({"framework", "labs"}, {".h"}, [](const std::string& file, const std::string& text) {
+        EXPECT_TRUE(text.starts_with("// ")) << file << ": " << text.substr(0, text.find('\n'));
+    });
+    EXPECT_GT(count, 200) << "the course has more headers than that";
+}
+
 TEST(Dependencies, KeepForeignLibrariesInTheirOwnFiles) {
     int images = 0, windows = 0;
     each_source([&](const std::string& file, const std::string& text) {

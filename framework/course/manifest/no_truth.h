@@ -1,3 +1,4 @@
+// Why a probe has no exact values, for messages.
 #pragma once
 
 #include <string>

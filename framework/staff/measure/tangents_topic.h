@@ -1,3 +1,4 @@
+// The mesh on which the benchmark measures tangents.
 #pragma once
 
 #include "framework/core/base/mesh.h"
