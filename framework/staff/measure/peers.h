@@ -2,7 +2,9 @@
 // built if libassimp-dev, libembree-dev and libopenimageio-dev are installed.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "framework/core/base/mesh.h"
@@ -25,6 +27,17 @@ public:
 };
 std::unique_ptr<PeerTangents> assimp_tangents(const Mesh& mesh);
 using AssimpTangents = std::unique_ptr<PeerTangents>(const Mesh& mesh);
+
+/// Returns the mesh as the text of an OBJ file: `v`, `vt` and `vn` for each vertex, and one `f` for each triangle.
+std::string obj_text(const Mesh& mesh);
+
+/// Reads a model of triangles as Assimp does, with identical vertices joined, on one thread; drops it.
+void assimp_model(const std::filesystem::path& path);
+using AssimpModel = void(const std::filesystem::path& path);
+
+/// Reads a picture to 32-bit floats as OpenImageIO does, on one thread; drops it.
+void openimageio_pixels(const std::filesystem::path& path);
+using OpenImageIOPixels = void(const std::filesystem::path& path);
 
 /// Computes the slopes that OpenImageIO stores for bump mapping (`maketx --bumpslopes`): (dh/du, dh/dv) per texel, v
 /// downwards. It writes a temporary file, which is part of its time.

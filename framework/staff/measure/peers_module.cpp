@@ -19,21 +19,6 @@
 namespace relief::measure {
 namespace {
 
-/// Returns the mesh as the text of an OBJ file, a format that Assimp's public interface reads.
-std::string obj_text(const Mesh& mesh) {
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    for (const Vertex& v : mesh.vertices) {
-        fmt::format_to(out, "v {} {} {}\n", v.position.x, v.position.y, v.position.z);
-        fmt::format_to(out, "vt {} {}\n", v.uv.x, v.uv.y);
-        fmt::format_to(out, "vn {} {} {}\n", v.normal.x, v.normal.y, v.normal.z);
-    }
-    for (size_t i = 0; i < mesh.indices.size(); ++i)
-        fmt::format_to(out, "{}{}/{}/{}{}", i % 3 == 0 ? "f " : " ", mesh.indices[i] + 1, mesh.indices[i] + 1,
-                       mesh.indices[i] + 1, i % 3 == 2 ? "\n" : "");
-    return fmt::to_string(text);
-}
-
 class Tangents final : public PeerTangents {
 public:
     explicit Tangents(const Mesh& mesh) {
@@ -144,6 +129,19 @@ std::unique_ptr<relief::measure::PeerTangents> relief_assimp_tangents(const reli
 
 std::unique_ptr<relief::measure::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust, bool any_machine) {
     return std::make_unique<relief::measure::Hits>(mesh, robust, any_machine);
+}
+
+void relief_assimp_model(const std::filesystem::path& path) {
+    Assimp::Importer importer;
+    if (!importer.ReadFile(path.string(), aiProcess_JoinIdenticalVertices | aiProcess_Triangulate))
+        throw relief::Error(std::string("Assimp cannot read the model: ") + importer.GetErrorString());
+}
+
+void relief_openimageio_pixels(const std::filesystem::path& path) {
+    OIIO::attribute("threads", 1);
+    OIIO::ImageBuf picture(path.string());
+    if (!picture.read(0, 0, true, OIIO::TypeDesc::FLOAT))
+        throw relief::Error("OpenImageIO cannot read the picture: " + picture.geterror());
 }
 
 void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slopes) {

@@ -11,6 +11,7 @@
 
 #include "framework/core/base/text.h"
 #include "framework/staff/measure/answer.h"
+#include "framework/staff/measure/memory.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/tangents_topic.h"
@@ -36,6 +37,19 @@ TEST(ErrorFigures, AreMeanLargestAndThe99thPercentile) {
     EXPECT_EQ(error.p99, 99);
     EXPECT_EQ(error.largest, 100);
     EXPECT_EQ(error_figures({}, "degree").largest, 0);
+}
+
+TEST(PeakGrowth, IsTheMemoryThatAFunctionTakesThoughItFreesItAndThoughAnotherTookMoreBefore) {
+    const auto mebibytes_of = [](size_t taken) {
+        return double(peak_growth([taken] {
+                   std::vector<char> memory((taken << 20) + 1, 1);
+                   EXPECT_EQ(memory.back(), 1);
+               })) /
+               (1 << 20);
+    };
+    EXPECT_NEAR(mebibytes_of(64), 70, 10) << "a sanitizer adds an eighth";
+    EXPECT_NEAR(mebibytes_of(16), 18, 6);
+    EXPECT_LT(mebibytes_of(0), 4);
 }
 
 /// A clock that moves only when a method runs.
