@@ -37,6 +37,8 @@ pages::Fields card(const pages::LabPage& page) {
             {"number", page.lab->two_digits()},
             {"title", manifest.title},
             {"file", file},
+            {"live", tasks == 0 ? "" : page.live},
+            {"elective", manifest.elective},
             {"picture", page.card},
             {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
             {"tasks", tasks == 0 ? ""
@@ -263,20 +265,21 @@ private:
         int points = 0;
         for (const pages::LabPage& page : pages_)
             tasks += page.manifest->tasks.size(), points += page.manifest->points() + page.manifest->optional_points();
-        return pages::render({.title = "Relief: the labs",
-                              .body = "index",
-                              .styles = {"site", "index"},
-                              .scripts = {"index"},
-                              .pictures = pages::PagePictures::beside},
-                             {{"hero", hero_},
-                              {"labs", labs_.size()},
-                              {"tasks", tasks},
-                              {"points", points},
-                              {"begin", begin()},
-                              {"links", links()},
-                              {"paths", paths()},
-                              {"groups", in_groups(std::move(cards))},
-                              {"driver", describe_context().driver()}});
+        return pages::render(
+            {.title = "Relief: the labs",
+             .body = "index",
+             .styles = {"site", "index"},
+             .scripts = is_live_ ? std::vector<std::string>{"index", "progress"} : std::vector<std::string>{"index"},
+             .pictures = pages::PagePictures::beside},
+            {{"hero", hero_},
+             {"labs", labs_.size()},
+             {"tasks", tasks},
+             {"points", points},
+             {"begin", begin()},
+             {"links", links()},
+             {"paths", paths()},
+             {"groups", in_groups(std::move(cards))},
+             {"driver", describe_context().driver()}});
     }
 
     /// Returns the link to the first lab that is not broken.

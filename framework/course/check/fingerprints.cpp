@@ -209,6 +209,9 @@ std::map<std::string, Recognised> name_mistakes(const Fingerprints& fingerprints
     std::map<std::string, double> best;
     for (const auto& [check, sample] : drawn)
         if (said[check].outcome != Outcome::passed) best[manifest.checks[check].task] = 0;
+    // A mistake within the limits of all drawn checks may still fail the calls for the words of its task.
+    for (size_t i = 0; i < said.size(); ++i)
+        if (manifest.checks[i].shot.calls && has_failed(said[i].outcome)) best[manifest.checks[i].task] = 0;
     for (const Fingerprints::Mistake& mistake : fingerprints.mistakes) {
         const auto share = best.find(mistake.task);
         if (share == best.end()) continue;

@@ -62,7 +62,8 @@ std::string told(const std::string& hint, bool is_certain, size_t failed_checks)
 
 /// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture,
 /// `exactness.picture`. For a probe, the share `exactness.probe` of the mistake's mean error where it differs from the
-/// solution: that works in any unit. By the default share, other mistakes differ by more.
+/// solution: that works in any unit. By the default share, other mistakes differ by more. At least the rounding of
+/// another driver: a mistake that only rounds differently draws the solution's picture.
 double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe, const Exactness& exactness = {});
 
 /// Returns whether two values differ by at most `tolerance`. Two NaNs are near each other, and so are two equal

@@ -77,6 +77,15 @@ std::string starter_of(const std::string& text, const fs::path& file) {
     return result;
 }
 
+std::string solution_of(const std::string& text, const fs::path& file) {
+    std::string result;
+    walk(text, file, [&](TextPart part, const std::string& line, const std::string&) {
+        if (part != TextPart::starter) result += line + '\n';
+    });
+    result.pop_back();
+    return result;
+}
+
 std::vector<std::string> solution_lines(const std::string& text, const fs::path& file) {
     std::vector<std::string> result;
     walk(text, file, [&](TextPart part, const std::string& line, const std::string&) {

@@ -27,6 +27,9 @@ namespace relief::check {
 /// unchanged. Throws Error with file and line if the marks do not match.
 std::string starter_of(const std::string& text, const std::filesystem::path& file);
 
+/// Returns the text with its solutions, without marks and starters. Throws Error as starter_of() does.
+std::string solution_of(const std::string& text, const std::filesystem::path& file);
+
 /// Returns the lines of all solutions, trimmed, without empty lines.
 std::vector<std::string> solution_lines(const std::string& text, const std::filesystem::path& file);
 

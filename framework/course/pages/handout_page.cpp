@@ -11,6 +11,7 @@
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/markdown_page.h"
 #include "framework/course/pages/page.h"
+#include "framework/course/pages/page_words.h"
 #include "framework/course/pages/picture_words.h"
 #include "framework/course/pages/sources.h"
 #include "framework/course/pages/svg.h"
@@ -35,12 +36,13 @@ public:
             const DrawGolden& draw)
         : lab_(lab), manifest_(manifest), labs_(labs), put_(put), draw_(draw), home_(fs::path("labs") / lab.folder) {}
 
-    List blocks() const {
+    /// `in_words`: changes the handout's Markdown.
+    List blocks(const std::function<std::string(const std::string&)>& in_words = {}) const {
         const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
                                 .picture = [this](const std::string& target) { return picture(target); }};
         const fs::path file = course_root() / home_ / "README.md";
         const std::string text = with_sources(read_file(file, size_t{1} << 24), load_sources(), file);
-        return markdown_blocks(parse_markdown(text), places);
+        return markdown_blocks(parse_markdown(in_words ? in_words(text) : text), places);
     }
 
     std::string page() const {
@@ -140,7 +142,7 @@ std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.ht
 
 List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                     const PutPicture& put) {
-    return Handout(lab, manifest, labs, put, {}).blocks();
+    return Handout(lab, manifest, labs, put, {}).blocks(in_page_words);
 }
 
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,

@@ -27,7 +27,7 @@ struct WordlessPicture {
 /// Draws a reference screenshot. Returns nothing if the page should show the stored one.
 using DrawGolden = std::function<std::optional<WordlessPicture>(const GoldenInfo& golden)>;
 
-/// Returns the handout's text, for {{#blocks}}{{> block}}{{/blocks}}, otherwise as for handout_page().
+/// Returns the handout's text in_page_words(), for {{#blocks}}{{> block}}{{/blocks}}, otherwise as for handout_page().
 List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                     const PutPicture& put);
 

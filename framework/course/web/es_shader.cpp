@@ -94,6 +94,108 @@ std::vector<Change> changed_declarations(const std::string& text, const std::vec
     return changes;
 }
 
+/// Finds the loops of a text that may not end.
+class LoopReader {
+public:
+    explicit LoopReader(const std::vector<CodeToken>& tokens) : tokens_(tokens) {}
+
+    /// Returns the changes that let each loop in a half-open range of the text go on only while rounds are left.
+    std::vector<Change> changes(size_t from, size_t to) const {
+        std::vector<Change> changes;
+        for (size_t i = 0; i < tokens_.size(); ++i) {
+            const bool is_for = is(i, "for");
+            if (tokens_[i].begin < from || tokens_[i].begin >= to) continue;
+            if ((!is_for && !is(i, "while")) || !is(i + 1, "(")) continue;
+            const size_t close = closing(i + 1), begin = is_for ? next(i + 2, ";") + 1 : i + 2;
+            const size_t end = is_for ? next(begin, ";") : close;
+            if (close >= tokens_.size() || end > close || (is_for && counts(i, end, close))) continue;
+            const bool declares = is_word(begin) && is_word(begin + 1);
+            if (begin == end && is_for)
+                changes.push_back({tokens_[end].begin, 0, "relief_goes_on()"});
+            else if (begin != end && !declares)
+                changes.insert(changes.end(),
+                               {{tokens_[begin].begin, 0, "relief_goes_on() && ("}, {tokens_[end].begin, 0, ")"}});
+        }
+        return changes;
+    }
+
+private:
+    bool is(size_t i, std::string_view text) const { return i < tokens_.size() && tokens_[i].text == text; }
+    bool is_word(size_t i) const { return i < tokens_.size() && tokens_[i].kind == CodeToken::word; }
+    bool is_number(size_t i) const { return i < tokens_.size() && tokens_[i].kind == CodeToken::number; }
+    size_t next(size_t from, std::string_view text) const {
+        while (from < tokens_.size() && !is(from, text)) ++from;
+        return from;
+    }
+    /// Returns the index of the bracket that closes the one at `open`, or the number of tokens.
+    size_t closing(size_t open) const {
+        const std::string_view opens = tokens_[open].text, closes = opens == "(" ? ")" : "}";
+        int depth = 0;
+        for (size_t i = open; i < tokens_.size(); ++i) {
+            depth += int(is(i, opens)) - int(is(i, closes));
+            if (depth == 0) return i;
+        }
+        return tokens_.size();
+    }
+
+    /// Returns whether a loop counts from a number to a constant: `for (int i = 0; i < 8; ++i)`. Only a body that
+    /// assigns to the counter keeps it from ending.
+    bool counts(size_t loop, size_t second, size_t close) const {
+        const size_t name = loop + 3, first = name + 3;
+        if (!is(name + 1, "=") || !is_number(name + 2) || !is(first, ";") || second + 4 != close) return false;
+        const std::string& counter = tokens_[name].text;
+        const size_t bound = second - 1;
+        const bool is_below = is(first + 1, counter) && is(first + 2, "<") &&
+                              (bound == first + 3 || (bound == first + 4 && is(first + 3, "=")));
+        const bool steps = is(second + 1, "+") ? is(second + 2, "+") && is(second + 3, counter)
+                                               : is(second + 1, counter) && is(second + 2, "+") && is(second + 3, "+");
+        return is_below && steps && is_constant(bound) && !assigns(counter, close + 1, end_of_statement(close + 1));
+    }
+    /// Returns whether a token is a number below most_rounds, or a constant's name.
+    bool is_constant(size_t i) const {
+        if (is_number(i)) return tokens_[i].text.size() < std::to_string(most_rounds).size();
+        for (size_t k = 0; k + 2 < tokens_.size(); ++k)
+            if (is(k, "const") && is(k + 2, tokens_[i].text)) return true;
+        return false;
+    }
+    size_t end_of_statement(size_t i) const {
+        for (; i < tokens_.size() && !is(i, ";"); ++i) {
+            if (is(i, "{")) return closing(i);
+            if (is(i, "(")) i = closing(i);
+        }
+        return i;
+    }
+    bool assigns(const std::string& counter, size_t i, size_t end) const {
+        const auto is_one_of = [&](size_t at, std::string_view symbols) {
+            return at < tokens_.size() && tokens_[at].text.size() == 1 &&
+                   symbols.find(tokens_[at].text) != symbols.npos;
+        };
+        for (; i < end; ++i) {
+            if (!is(i, counter)) continue;
+            if (is(i + 1, "=") && !is(i + 2, "=")) return true;
+            if (is_one_of(i + 1, "+-*/%&|^") &&
+                (is(i + 2, "=") || (is(i + 2, tokens_[i + 1].text) && is_one_of(i + 1, "+-"))))
+                return true;
+            if (is_one_of(i - 1, "+-") && is(i - 2, tokens_[i - 1].text)) return true;
+        }
+        return false;
+    }
+
+    const std::vector<CodeToken>& tokens_;
+};
+
+/// Returns the changes of the loops of a task file. Its lines after the last #include stand in the text as they are;
+/// if they do not, all loops count.
+std::vector<Change> limited_loops(const std::string& text, const std::vector<CodeToken>& tokens,
+                                  const std::string& task) {
+    if (task.empty()) return {};
+    const size_t last = task.rfind("#include"),
+                 begin = last == task.npos ? 0 : std::min(task.find('\n', last), task.size());
+    const size_t at = text.find(task.substr(begin));
+    return at == text.npos ? LoopReader(tokens).changes(0, text.size())
+                           : LoopReader(tokens).changes(at, at + task.size() - begin);
+}
+
 }  // namespace
 
 const std::vector<MissingFunction>& missing_functions() {
@@ -144,15 +246,20 @@ const std::vector<MissingFunction>& missing_functions() {
     return functions;
 }
 
-std::string es_shader(const std::string& text, EsStage stage) {
+std::string es_shader(const std::string& text, EsStage stage, const std::string& task) {
     const std::vector<CodeToken> tokens = code_tokens(text);
-    std::vector<Change> changes = changed_declarations(text, tokens, stage), numbers = changed_numbers(tokens);
+    std::vector<Change> changes = changed_declarations(text, tokens, stage);
+    const std::vector<Change> numbers = changed_numbers(tokens), loops = limited_loops(text, tokens, task);
     changes.insert(changes.end(), numbers.begin(), numbers.end());
-    std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
+    changes.insert(changes.end(), loops.begin(), loops.end());
+    std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
     std::string body = changed(text, changes);
     blank_extensions(body);
     body.erase(0, std::min(body.find('\n'), body.size() - 1) + 1);  // the version
     std::string head = std::string("#version 300 es\n") + precisions;
+    if (!loops.empty())
+        head += "int relief_rounds = 0;\nbool relief_goes_on() { return ++relief_rounds < " +
+                std::to_string(most_rounds) + "; }\n";
     for (const MissingFunction& function : missing_functions()) {
         const auto is_call = [&](const CodeToken& token) { return token.text == function.name; };
         if ((stage == EsStage::fragment || !function.in_fragments_only) &&

@@ -8,14 +8,21 @@ namespace relief::web {
 
 enum class EsStage { vertex, fragment };
 
+/// SwiftShader and GPUs do not end a loop, and a browser that waits for one cannot even reload the page.
+inline constexpr int most_rounds = 1 << 13;
+
 /// Returns a stage in GLSL ES 3.00. Every line keeps its number in the compiler's messages. `text` is a stage after all
 /// #include, and begins with its #version line.
 /// - Functions that ES lacks are defined in front of the text if it calls them: see missing_functions().
 /// - Outputs of a vertex stage that are whole numbers become `flat`, as ES wants.
 /// - Doubles become floats.
 /// - A vertex stage adds `uniform vec2 relief_move`, in clip space, to each position.
+/// - The loops of `task`, the text of a task file, have most_rounds rounds together in each invocation, so that an
+/// endless
+///   one ends. A loop that counts to a constant stays as it is: a compiler may have to unroll it. So do loops in
+///   macros, and those that declare a variable in their condition.
 /// - `precise` and the declared direction of gl_FragDepth are dropped, as are #extension lines.
-std::string es_shader(const std::string& text, EsStage stage);
+std::string es_shader(const std::string& text, EsStage stage, const std::string& task = {});
 
 /// A function of GLSL 4.10 that ES lacks, and definitions of it in ES.
 struct MissingFunction {

@@ -12,6 +12,7 @@
 #include "framework/core/base/missing_files.h"
 #include "framework/core/base/own_file.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/shot.h"
@@ -156,11 +157,36 @@ json bytes_of(const Image& picture) {
         {"address", reinterpret_cast<uintptr_t>(bytes.data())}, {"width", picture.width}, {"height", picture.height}};
 }
 
-void show(const Target& target) {
-    const glm::ivec2 size = target.size();
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.resolve());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+/// A picture on its way to the canvas. The page asks whether it is finished, because waiting for it would stop the
+/// page.
+struct Drawing {
+    std::unique_ptr<Target> target = {};
+    GLsync end = nullptr;  ///< signalled when the picture is finished; null: nothing was drawn since
+
+    void begin(glm::ivec2 size) {
+        if (end) glDeleteSync(end);
+        end = nullptr;
+        if (!target || target->size() != size) target = std::make_unique<Target>(TargetKind::picture, size);
+    }
+    void finish() {
+        end = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        glFlush();
+    }
+    bool is_finished() const {
+        GLint state = GL_SIGNALED;
+        if (end) glGetSynciv(end, GL_SYNC_STATUS, 1, nullptr, &state);
+        return state == GL_SIGNALED;
+    }
+    void show() const {
+        const glm::ivec2 size = target->size();
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, target->resolve());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+};
+Drawing& drawing() {
+    static Drawing one;
+    return one;
 }
 
 }  // namespace
@@ -185,6 +211,8 @@ EMSCRIPTEN_KEEPALIVE const char* relief_open(int number) {
         opened().reset();
         opened() = std::make_unique<OpenLab>(find_lab(std::to_string(number)));
         const Manifest& manifest = lab().manifest;
+        for (const TaskInfo& task : manifest.tasks)
+            if (is_shader(task.file)) limit_loops([file = course_root() / task.file] { return read_source(file); });
         json probes = json::array(), tasks = json::array(), checks = json::array();
         for (const ProbeInfo& probe : manifest.probes) probes.push_back({{"name", probe.name}, {"unit", probe.unit}});
         for (const TaskInfo& task : manifest.tasks)
@@ -223,18 +251,26 @@ EMSCRIPTEN_KEEPALIVE const char* relief_renew() {
     });
 }
 
-/// Draws onto the canvas. `request` has `width`, `height`, `camera`, and `time` in seconds. A task file that does not
-/// compile is an error, and the picture keeps the last program that did.
+/// Begins to draw. `request` has `width`, `height`, `camera`, and `time` in seconds. A task file that does not compile
+/// is an error, and the picture keeps the last program that did.
 EMSCRIPTEN_KEEPALIVE const char* relief_draw(const char* request) {
     return answer([&]() -> json {
-        static std::unique_ptr<Target> target;
         const Shot shot = shot_of(json::parse(request));
         renew_programs();  // a changed text counts once it was read twice
         const ShaderNews news = renew_programs();
-        if (!target || target->size() != shot.size) target = std::make_unique<Target>(TargetKind::picture, shot.size);
-        draw_lab(*lab().lab, frame_of(shot, *target));
-        show(*target);
+        drawing().begin(shot.size);
+        draw_lab(*lab().lab, frame_of(shot, *drawing().target));
+        drawing().finish();
         if (news.error) throw *news.error;
+        return true;
+    });
+}
+
+/// Returns whether the picture of relief_draw() is finished, and shows it on the canvas.
+EMSCRIPTEN_KEEPALIVE const char* relief_show() {
+    return answer([&]() -> json {
+        if (!drawing().is_finished()) return false;
+        if (drawing().end) drawing().show();
         return true;
     });
 }
@@ -287,12 +323,17 @@ EMSCRIPTEN_KEEPALIVE const char* relief_advice(int has_compiler) {
                 checks[said.index] = {
                     {"outcome", name_of(said.outcome)}, {"found", said.found}, {"look_at", said.look_at}};
             tasks.push_back({{"id", task.id},
-                             {"points", task.points()},
-                             {"of", task.of},
+                             {"has_all", task.points() >= task.of},
                              {"said", points_text(task)},
                              {"hint", task.hint}});
         }
-        return {{"tasks", tasks}, {"checks", checks}, {"said", points_text(written)}};
+        const check::PointSum sum = check::sum_of(written), optional = check::sum_of(written, true);
+        return {{"tasks", tasks},
+                {"checks", checks},
+                {"points", sum.points},
+                {"of", sum.of},
+                {"optional", optional.points},
+                {"said", points_text(written)}};
     });
 }
 

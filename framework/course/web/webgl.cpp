@@ -216,12 +216,18 @@ GLuint create_shader(GLenum stage) {
     return real_glCreateShader(stage);
 }
 
+std::function<std::string()>& text_of_task() {
+    static std::function<std::string()> text = [] { return std::string(); };
+    return text;
+}
+
 void shader_source(GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
     RELIEF_REAL(glShaderSource);
     RELIEF_REAL(glGetShaderiv);
     GLint stage = 0;
     real_glGetShaderiv(shader, GL_SHADER_TYPE, &stage);
-    const std::string converted = es_shader(*text, stage == GL_VERTEX_SHADER ? EsStage::vertex : EsStage::fragment);
+    const std::string converted =
+        es_shader(*text, stage == GL_VERTEX_SHADER ? EsStage::vertex : EsStage::fragment, text_of_task()());
     const GLchar* const begin = converted.c_str();
     real_glShaderSource(shader, 1, &begin, nullptr);
 }
@@ -407,6 +413,8 @@ void open_webgl(const char* canvas) {
     load_gl(load);
     GLAD_GL_EXT_texture_filter_anisotropic = 0;
 }
+
+void limit_loops(std::function<std::string()> text) { text_of_task() = std::move(text); }
 
 void move_vertices(glm::vec2 pixels) {
     moved_by = pixels;

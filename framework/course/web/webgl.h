@@ -1,6 +1,7 @@
 // WebGL 2 as the OpenGL 4.1 that labs call.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 
@@ -18,6 +19,9 @@ namespace relief::web {
 /// as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
 void open_webgl(const char* canvas);
+
+/// Limits the rounds of the loops in a task file: see es_shader(). `text` returns the text that shaders include now.
+void limit_loops(std::function<std::string()> text);
 
 /// Moves all vertices of later drawings by a part of a pixel, see check::vertex_moves.
 void move_vertices(glm::vec2 pixels);

@@ -90,7 +90,7 @@ fs::path course_with(const std::string& labs) {
 }
 
 /// `labs`: see find_labs(); empty: all.
-int make_site(const fs::path& folder, const std::string& labs, bool quick, bool has_compiler) {
+int make_site(const fs::path& folder, const std::string& labs, bool quick, bool has_compiler, bool solutions) {
     const fs::path course = course_with(labs);
     make_folder(folder);
     pin_software_renderer();
@@ -102,8 +102,12 @@ int make_site(const fs::path& folder, const std::string& labs, bool quick, bool 
     const fs::path compiler = has_compiler ? pack_compiler(course, module.parent_path()) : fs::path();
     print_note("drawing the site's pictures");
     if (const int code = make_gallery({.folder = folder, .labs = labs, .is_live = true})) return code;
-    web::write_live_pages(
-        {.course = course, .module = module, .editor = editor, .compiler = compiler, .folder = folder});
+    web::write_live_pages({.course = course,
+                           .module = module,
+                           .editor = editor,
+                           .compiler = compiler,
+                           .solutions = solutions,
+                           .folder = folder});
     fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
     return 0;
 }
@@ -123,6 +127,8 @@ public:
         options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
         options.flag("--quick", quick_, "compile in half of the time, for a first look: the labs react more slowly");
         options.flag("--no-compiler", no_compiler_, "without the compiler (90 MB), so without the tasks in C++");
+        options.flag("--solutions", solutions_,
+                     "with all solutions, for people who learn alone: a page offers one when its task has all points");
         options.flag("--serve", serve_, "then serve it to this machine's browser");
         options.value("--port", "NUMBER", port_, "of the server [8000]");
     }
@@ -131,13 +137,13 @@ public:
         if (!port || *port < 1 || *port > 65535)
             throw UsageError("--port takes a number from 1 to 65535, not '" + port_ + "'");
         const fs::path folder = output_.empty() ? course_root() / "build" / "site-web" : fs::path(output_);
-        const int code = make_site(folder, labs_, quick_, !no_compiler_);
+        const int code = make_site(folder, labs_, quick_, !no_compiler_, solutions_);
         return code == 0 && serve_ ? serve(folder, port_) : code;
     }
 
 private:
     std::string output_, labs_;
-    bool quick_ = false, no_compiler_ = false, serve_ = false;
+    bool quick_ = false, no_compiler_ = false, solutions_ = false, serve_ = false;
     std::string port_ = "8000";
 };
 RELIEF_COMMAND(WebCommand, 13, "web", "makes a site on which the labs run in a browser, for any web server");

@@ -32,20 +32,23 @@ const take = async file => {
 };
 const take_all = files => Promise.all(files.map(take));
 
-// Calls a function of the module, one call at a time. Fetches the files that it wanted to read, and calls it again.
+// Calls a function of the module. Fetches the files that it wanted to read, and calls it again.
+const call_now = async (name, ...values) => {
+  for (;;) {
+    const answer = JSON.parse(relief.ccall("relief_" + name, "string", values.map(value => typeof value), values));
+    if (answer.missing) { await take_all(answer.missing); continue; }
+    if ("error" in answer) throw Object.assign(new Error(answer.error), answer);
+    return answer.value;
+  }
+};
+// One after the other.
 let last_call = Promise.resolve();
-const call = (name, ...values) => {
-  const next = last_call.then(async () => {
-    for (;;) {
-      const answer = JSON.parse(relief.ccall("relief_" + name, "string", values.map(value => typeof value), values));
-      if (answer.missing) { await take_all(answer.missing); continue; }
-      if ("error" in answer) throw Object.assign(new Error(answer.error), answer);
-      return answer.value;
-    }
-  });
+const queue = work => {
+  const next = last_call.then(work);
   last_call = next.catch(() => {});
   return next;
 };
+const call = (name, ...values) => queue(() => call_now(name, ...values));
 // Copies a picture out of the module's memory.
 const picture_of = ({address, width, height}) =>
   new ImageData(new Uint8ClampedArray(relief.HEAPF32.buffer, address, width * height * 4).slice(), width, height);
@@ -85,22 +88,108 @@ const complain = error => {
 let requests = 0, code_error = null, failed_at = Infinity;  // `failed_at`: the last request before the error on screen; infinite: no error
 const fail = error => { failed_at = requests; complain(error); };
 
+// Draws onto the canvas, and returns the seconds that it took. The page goes on meanwhile, and no other call does.
+let is_slow = false;
+const draw_picture = wanted => queue(async () => {
+  const began = performance.now(), canvas = $("canvas"), seconds = () => (performance.now() - began) / 1000;
+  let failed = null;
+  await call_now("draw", JSON.stringify(wanted)).catch(error => { failed = error; });
+  while (!await call_now("show")) {
+    is_slow = seconds() > slow_seconds;
+    if (is_slow) status(`drawing for more than ${Math.floor(seconds())} s …`);
+    await wait(0);
+  }
+  if (is_slow) status(`drawn in ${seconds().toFixed(1)} s`);
+  is_slow = false;
+  if (canvas.getContext("webgl2").isContextLost()) throw Object.assign(new Error("the browser ended the drawing"), {is_lost: true});
+  if (failed) throw failed;
+  return seconds();
+});
+
 const draw = async () => {
   const wanted = request(), canvas = $("canvas"), request_drawn = requests;
   if (canvas.width !== wanted.width || canvas.height !== wanted.height)
     canvas.width = wanted.width, canvas.height = wanted.height;
   try {
+    const is_drawn = await try_text(wanted);
     if (wanted.probe)
       paint($("numbers"), picture_of(await call("probe", JSON.stringify(wanted))));
-    else
-      await call("draw", JSON.stringify(wanted));
+    else if (!is_drawn)
+      await draw_picture(wanted);
     $("numbers").hidden = !wanted.probe;
-    if (failed_at < request_drawn) failed_at = Infinity, complain(code_error);
+    if (failed_at < request_drawn) failed_at = Infinity, complain(code_error ?? stopped);
     does_not_compile = false;
   } catch (error) {
     does_not_compile = error.file === site.task;
     fail(code_error && error.file === site.code ? code_error : error);  // the newest text's error, not that of the last working one
   }
+};
+
+// A loop in a shader that does not end keeps the graphics driver busy, and a browser may then end all drawing of the
+// page. So a new text is drawn alone, before the checks. If that takes long, the page goes on with the last text that
+// was drawn in time. The browser keeps the suspicion until the text changes, also when the page is closed meanwhile.
+let slow_seconds = 2, drawn_text = null, good_text = null, stopped = null;
+const place_of_suspicion = `relief ${location.pathname} suspected`;
+const suspicion = {
+  get: () => { try { return localStorage.getItem(place_of_suspicion); } catch { return null; } },
+  set: whom => { try { localStorage.setItem(place_of_suspicion, whom); } catch { /* kept in this visit only */ } },
+  end: () => { try { localStorage.removeItem(place_of_suspicion); } catch { /* nothing was kept */ } },
+};
+
+// The parts of a task file, by task: from its first line "// TASK 11.2" to that of another task.
+const task_parts = text => {
+  const parts = new Map([["", ""]]);
+  let task = "";
+  for (const line of text.split("\n")) {
+    const found = /^\s*\/\/[\/\s]*TASK ([0-9.]*[0-9])/.exec(line)?.[1];
+    if (found && !parts.has(found)) parts.set(task = found, "");
+    parts.set(task, parts.get(task) + line + "\n");
+  }
+  return parts;
+};
+// The tasks that may have the loop: those that were changed since a text was drawn in time, and have a loop.
+const suspects_in = (text, good) => {
+  const before = task_parts(good), changed = [...task_parts(text)].filter(([task, part]) => task && part !== before.get(task));
+  const loops = changed.filter(([, part]) => /\b(for|while)\b/.test(part.replace(/\/\/.*/g, "")));
+  return (loops.length ? loops : changed).map(([task]) => task).join(", ");
+};
+const stop_text = (whom, why) => {
+  const place = editor.text().split("\n").findIndex(line => whom && line.includes("TASK " + whom.split(",")[0]));
+  stopped = Object.assign(new Error(`${whom ? (whom.includes(",") ? "Tasks " : "Task ") + whom + ": does" : "Does"} a loop not end? ${why} The page draws with an older text until you change yours.`),
+                          place < 0 ? {} : {file: site.task, line: place + 1});
+  put_drawn_text(good_text ?? starter);
+  show_stale("waits for a text that is drawn in time");
+  $("check").disabled = true;
+  fail(stopped);
+  status("your text was stopped");
+};
+const stop_suspected = why => {
+  const whom = suspicion.get();
+  if (whom !== null && editor.text() !== starter) stop_text(whom, why);
+};
+// Draws a new text, and returns whether the picture is that of the module's text. The first picture of a text includes
+// the compilation, so only a second one counts.
+const try_text = async wanted => {
+  if ([good_text, starter].includes(drawn_text)) return false;
+  const text = drawn_text, whom = suspects_in(text, good_text ?? starter);
+  suspicion.set(whom);
+  let seconds = 0;
+  for (let i = 0; i < 2; ++i) {
+    try {
+      seconds = await draw_picture(wanted);
+    } catch (error) {
+      if (!error.is_lost) suspicion.end();
+      throw error;
+    }
+    if (text !== drawn_text) return true;  // a newer text will be drawn
+    if (seconds <= slow_seconds) {
+      good_text = text;
+      suspicion.end();
+      return true;
+    }
+  }
+  stop_text(whom, `A picture took ${seconds.toFixed(1)} s.`);
+  return false;
 };
 
 const redraw = () => { ++requests; return draw(); };
@@ -368,23 +457,27 @@ const keep = (text, file = site.task) => {
   } catch { status("this browser keeps no text: download your file before you leave"); }
 };
 const put_text = (file, text) => put(file, new TextEncoder().encode(text));
+const put_drawn_text = text => put_text(site.task, drawn_text = text);
 const put_texts = () => {
-  put_text(site.task, editor.text());
+  put_drawn_text(editor.text());
   if (code_editor) put_text(site.code, code_editor.text());
 };
 
+const pauses = {draw: 400, check: 700, build: 1000};  // after the last key, in milliseconds
 let pause, checking = 0, is_open = false;
 const written = text => {
   ++checking;  // ends a run of checks
   keep(text);
+  suspicion.end();
   if (!is_open) return;
   clearTimeout(pause);
   pause = setTimeout(async () => {
-    put_text(site.task, text);
+    if (stopped) stopped = null, $("check").disabled = false, complain(code_error);
+    put_drawn_text(text);
     await redraw();
-    if (does_not_compile) $("points").textContent = "does not compile";
-    else pause = setTimeout(check, 700);
-  }, 400);
+    if (does_not_compile) show_stale("waits for a text that compiles");
+    else if (!stopped) pause = setTimeout(check, pauses.check);
+  }, pauses.draw);
 };
 
 // The task in C++, which a worker compiles.
@@ -427,7 +520,7 @@ const build = async () => {
   } catch (error) {
     code_error = error;
     fail(error);
-    $("points").textContent = bytes ? "" : "does not compile";
+    show_stale(bytes ? "waits for a task.cpp that runs" : "waits for a text that compiles");
     status(bytes ? "task.cpp cannot run" : "task.cpp does not compile");
   }
   if (run === builds) window.built = seconds;  // for tests
@@ -438,7 +531,7 @@ const written_code = text => {
   keep(text, site.code);
   if (!is_open) return;
   clearTimeout(pause_of_code);
-  pause_of_code = setTimeout(build, 1000);
+  pause_of_code = setTimeout(build, pauses.build);
 };
 
 const save = (name, bytes, type) => {
@@ -449,8 +542,9 @@ const save = (name, bytes, type) => {
 // A lab with two files has them in one archive, as `relief hand-in` makes it.
 const download = async () => {
   if (!code_editor) return save(site.task.split("/").pop(), editor.text(), "text/plain");
-  put_texts();
+  put_text(site.task, editor.text()), put_text(site.code, code_editor.text());
   const {address, size} = await call("hand_in");
+  put_text(site.task, drawn_text);
   save("hand-in.zip", relief.HEAPF32.buffer.slice(address, address + size), "application/zip");
 };
 const load = async () => {
@@ -536,6 +630,49 @@ const show_result = (index, {outcome, found, details, look_at}) => {
   if (row.nextElementSibling?.className === "seen") row.nextElementSibling.remove(), toggle_pictures(index);
 };
 
+// The results of an older text say nothing about the text in the editor.
+const show_stale = why => {
+  for (const [index, row] of rows) {
+    if (row.nextElementSibling?.className === "seen") row.nextElementSibling.remove();
+    show_result(index, {outcome: "waiting", found: why});
+  }
+  for (const task of lab.tasks) show_task({id: task.id, said: "", hint: ""});
+  $("points").textContent = why.includes("compiles") ? "does not compile" : "";
+};
+
+const show_task = task => {
+  const box = $("task-" + task.id), hint = box.querySelector(".hint");
+  if (!site.not_here.includes(task.id)) box.querySelector(".points").textContent = task.said;
+  hint.hidden = !task.hint;
+  hint.textContent = task.hint;
+  box.querySelector(".compare")?.remove();
+  if (task.has_all && site.solutions) box.append(make("p", {className: "compare"}, make("button", {type: "button",
+    textContent: "Compare with the solution", onclick: () => compare(task.id).catch(fail)})));
+};
+
+// The learner's own text beside the solution and a correct variant, if the site has them.
+const compare = async id => {
+  const answer = await fetch(site.solutions);
+  if (!answer.ok) throw new Error(`${site.solutions}: the server says ${answer.status}`);
+  const {solution, variant, why} = (await answer.json())[id], {file, title} = lab.tasks.find(task => task.id === id);
+  const own = (file === site.code ? code_editor : editor).text();
+  const column = (heading, text) => make("section", {}, make("h3", {textContent: heading}), make("pre", {tabIndex: 0, textContent: text.trim()}));
+  const box = make("dialog", {className: "solution"}, make("div", {className: "bar"}, make("h2", {textContent: `${id} ${title}`}),
+    make("button", {type: "button", textContent: "Close", onclick: () => box.close()})));
+  box.setAttribute("aria-label", "the solution of task " + id);
+  const columns = make("div", {className: "columns"}, column("Yours", task_parts(own).get(id) ?? own), column("The solution", solution));
+  if (variant) columns.append(column("Also correct: " + why, variant));
+  box.append(columns);
+  box.onclose = () => box.remove();
+  document.body.append(box);
+  box.showModal();
+};
+
+// The course page reads the points of the last checks (index.js).
+const keep_points = ({points, of, optional}) => {
+  try { localStorage.setItem(place_of_text("points"), JSON.stringify({points, of, optional, at: Date.now()})); } catch { /* kept nowhere */ }
+};
+
 const toggle_pictures = async index => {
   const row = rows.get(index);
   if (row.nextElementSibling?.className === "seen") {
@@ -565,8 +702,10 @@ const toggle_pictures = async index => {
 };
 
 const check = async () => {
+  if (stopped) return;
   const run = ++checking, began = performance.now();
   $("check").disabled = true;
+  suspicion.set(suspects_in(drawn_text, starter));
   try {
     let done = 0;
     for (let index = 0; index < lab.checks.length; ++index) {
@@ -579,28 +718,42 @@ const check = async () => {
     if (run !== checking) return;
     const advice = await call("advice", Number(site.compiler));
     for (const [index] of rows) show_result(index, advice.checks[index]);
-    for (const task of advice.tasks) {
-      const box = $("task-" + task.id), hint = box.querySelector(".hint");
-      if (!site.not_here.includes(task.id)) box.querySelector(".points").textContent = task.said;
-      hint.hidden = !task.hint;
-      hint.textContent = task.hint;
-    }
+    advice.tasks.forEach(show_task);
     $("points").textContent = advice.said;
+    keep_points(advice);
     status(`checked in ${((performance.now() - began) / 1000).toFixed(1)} s`);
     window.checked = run;  // for tests
   } catch (error) {
     complain(error);
     status("the checks did not run");
   } finally {
-    if (run === checking) $("check").disabled = false;
+    if (run === checking) $("check").disabled = Boolean(stopped);
+    if (drawn_text === good_text) suspicion.end();
   }
 };
 
 // --- Start -----------------------------------------------------------------------------------------------------------
 
+// Fetching is the first part of the bar, and the other steps of the start are the rest.
+const show_loading = (share, text) => {
+  $("loading").value = share;
+  status(text);
+};
+const megabytes = bytes => (bytes / 1e6).toFixed(1);
+const count_bytes = async answer => {
+  let bytes = 0;
+  for (const reader = answer.body.getReader();;) {
+    const {done, value} = await reader.read();
+    if (done) return show_loading(0.7, "compiling …");
+    bytes += value.length;
+    show_loading(0.7 * bytes / site.module_bytes, `fetching ${megabytes(bytes)} of ${megabytes(site.module_bytes)} MB …`);
+  }
+};
 const compiled_module = async () => {
+  const answer = await fetch("relief.wasm");
+  if (!is_open) count_bytes(answer.clone());
   try {
-    return await WebAssembly.compileStreaming(fetch("relief.wasm"));
+    return await WebAssembly.compileStreaming(answer);
   } catch {  // a server that does not know the type
     return WebAssembly.compile(await (await fetch("relief.wasm")).arrayBuffer());
   }
@@ -619,6 +772,7 @@ const open_module = () => new Promise((done, fail) => {
 
 const start = async (module = open_module()) => {
   relief = await module;
+  if (!is_open) show_loading(0.8, "opening the lab …");
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
   site.renderer = await call("start", "#canvas");
@@ -665,6 +819,7 @@ const survive_a_lost_context = () => {
     last_call = Promise.resolve();
     await start();
     put_texts();
+    stop_suspected("The browser ended the drawing.");
     if (code.bytes) await code.load(code.bytes, code.text);
     for (const [path, bytes] of own_files) put_own(path, bytes);
     camera = at;
@@ -672,8 +827,8 @@ const survive_a_lost_context = () => {
     survive_a_lost_context();
     for (const [name, value] of values) await set_knob(name, value);
     await redraw();
-    $("check").disabled = false;
-    status("restarted");
+    $("check").disabled = Boolean(stopped);
+    status(stopped ? "restarted without your text" : "restarted");
   });
 };
 
@@ -683,17 +838,22 @@ const survive_a_lost_context = () => {
     const module = open_module();
     await open_editor();
     await start(module);
+    show_loading(0.9, "drawing …");
     await set_up_page();
     is_open = true;
     put_texts();
+    stop_suspected("It was not drawn in time in an earlier visit.");
     await redraw();
     $("first").remove();
+    $("loading").remove();
     survive_a_lost_context();
-    $("check").disabled = false;
-    status(`ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);
+    $("check").disabled = Boolean(stopped);
+    addEventListener("pagehide", () => { if (!stopped && !is_slow) suspicion.end(); });
+    status(stopped ? "opened without your text" : `ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);
     window.ready = true;  // for tests
     if (code_editor && code_editor.text() !== starters.get(site.code)) build();  // written in an earlier visit
   } catch (error) {
+    $("loading").remove();
     status("cannot run here");
     complain(error);
     window.ready = "failed";

@@ -6,10 +6,12 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/handout_page.h"
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/template.h"
+#include "framework/staff/grade/overlay.h"
 
 namespace relief::web {
 namespace {
@@ -48,6 +50,36 @@ bool is_fetched_first(const std::string& file) {
     return !file.starts_with("assets/") && file.find("/expected/") == file.npos;
 }
 
+using PartsByTask = std::map<std::string, std::string>;
+
+/// Returns each task's part of a task file of the staff's, as a student would have written it.
+PartsByTask written_parts(const std::string& text, const std::string& file) {
+    PartsByTask parts;
+    for (check::TaskPart& part : check::task_parts(check::solution_of(text, file))) parts[part.task] = part.text;
+    return parts;
+}
+
+/// Returns the solution of each task, and the first correct variant that changes this task's part alone.
+json solutions_of(const Manifest& manifest) {
+    json all = json::object();
+    for (const TaskInfo& task : manifest.tasks) {
+        PartsByTask parts = written_parts(read_file(course_root() / task.file), task.file);
+        json& one = all[task.id] = {{"solution", parts[task.id]}};
+        for (const EquivalentInfo& variant : manifest.equivalents) {
+            const grade::CourseFiles files = grade::edited(variant.edits);
+            if (variant.task != task.id || files.size() != 1 || !files.contains(task.file)) continue;
+            const PartsByTask changed = written_parts(files.at(task.file), task.file);
+            const bool is_in_this_part = std::all_of(changed.begin(), changed.end(), [&](const auto& part) {
+                return part.first == task.id || part.second == parts[part.first];
+            });
+            if (!is_in_this_part) continue;
+            one["variant"] = changed.at(task.id), one["why"] = variant.why;
+            break;
+        }
+    }
+    return all;
+}
+
 class Pages {
 public:
     explicit Pages(const LiveSite& site) : site_(site) {
@@ -56,6 +88,7 @@ public:
     }
 
     void write() {
+        for (const LabEntry& lab : registry()) fs::remove(site_.folder / solutions_file(lab));  // of an earlier site
         for (size_t i = 0; i < labs_.size(); ++i) write_page(i);
         for (const std::string& file : copied_) copy(site_.course / file, fs::path("course") / file);
         for (const char* name : {"relief.js", "relief.wasm"}) copy(site_.module / name, name);
@@ -92,9 +125,17 @@ private:
             if (is_fetched_first(file)) first.push_back(file);
             has_tessellation |= file.ends_with(".tese");
         }
-        const json data = {
-            {"number", lab.number}, {"task", task},   {"code", code},   {"compiler", !site_.compiler.empty()},
-            {"not_here", not_here}, {"first", first}, {"files", files}, {"task_files", task_files}};
+        const json data = {{"number", lab.number},
+                           {"task", task},
+                           {"code", code},
+                           {"compiler", !site_.compiler.empty()},
+                           {"module_bytes", fs::file_size(site_.module / "relief.wasm")},
+                           {"solutions", site_.solutions ? solutions_file(lab) : ""},
+                           {"not_here", not_here},
+                           {"first", first},
+                           {"files", files},
+                           {"task_files", task_files}};
+        if (site_.solutions) put(solutions_file(lab), solutions_of(load_manifest(lab)).dump());
         const auto neighbour = [&](size_t index) {
             if (index >= labs_.size()) return pages::Value();
             return pages::Value(pages::Fields{{"file", pages::live_page_file(*labs_[index])},
@@ -117,6 +158,8 @@ private:
                  {"previous", neighbour(i - 1)},
                  {"next", neighbour(i + 1)}}));
     }
+
+    static std::string solutions_file(const LabEntry& lab) { return "solutions/" + lab.folder + ".json"; }
 
     static std::string style() {
         std::string all;

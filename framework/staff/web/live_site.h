@@ -1,5 +1,5 @@
 // The labs in a browser: a page a lab, with the module, the lab's files and an editor. The files come from a students'
-// course, so a site holds no solutions, no hidden checks and no exact values.
+// course, so a site holds no hidden checks and no exact values, and no solutions if the teacher does not ask for them.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,8 @@ struct LiveSite {
     std::filesystem::path editor;  ///< the bundle of framework/staff/web/editor.js
     /// Folder of the compiler for tasks in C++, as pack_compiler.mjs writes it. Empty: such tasks are not in the site.
     std::filesystem::path compiler;
+    /// Whether the site has the solution of each task and a correct variant, which a page offers with all points.
+    bool solutions = false;
     std::filesystem::path folder;  ///< the site
 };
 

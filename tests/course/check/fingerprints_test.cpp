@@ -74,6 +74,32 @@ TEST(Fingerprints, AnotherRendererMayBeOffByATenthOfTheMistake) {
         << "with the mistake 'far' fails";
 }
 
+// The picture is within the limits, and has the mistake's values.
+TEST(Fingerprints, NameAMistakeThatFailsOnlyTheCallsForTheWordsOfItsTask) {
+    Manifest with_calls = manifest();
+    CheckInfo& words = with_calls.checks.emplace_back();
+    words.task = "1.1", words.name = "the words", words.shot.calls.texts = {"f(1)"};
+    const Fingerprints known = fingerprints();
+    const auto names = [&](const Verdict& of_words, const Sample& near) {
+        return name_mistakes(known, with_calls, {right, right, right, of_words}, {{0, near}, {1, drawn({4, inf})}});
+    };
+    const auto found = names(wrong, drawn({-1, -2, -3}));
+    ASSERT_TRUE(found.contains("1.1"));
+    EXPECT_EQ(found.at("1.1").mistake->hint, "a \"sign\"");
+    EXPECT_TRUE(names(wrong, drawn({1, 2, 3})).empty()) << "the picture is the solution's";
+    EXPECT_TRUE(names(right, drawn({-1, -2, -3})).empty()) << "nothing failed";
+}
+
+// Of another driver, or of another compiler of C++.
+TEST(Likeness, ForgivesRoundingWhereTheMistakeOnlyRounds) {
+    const Sample solution = drawn({0.5f, 1, 2}), rounds = drawn({0.500004f, 1.000002f, 1.999998f});
+    EXPECT_EQ(likeness(drawn({0.499996f, 1.000001f, 2}), rounds, solution, true).differ, 0u);
+    EXPECT_EQ(likeness(drawn({0.4999f, 1, 2}), rounds, solution, true).differ, 1u);
+    const Sample wrong_by_little = drawn({0.501f, 1.001f, 2.001f});
+    EXPECT_EQ(likeness(wrong_by_little, wrong_by_little, solution, true).share(), 1);
+    EXPECT_EQ(likeness(solution, wrong_by_little, solution, true).share(), 0);
+}
+
 // An unlisted mistake may fail one check in the same way as a listed mistake.
 TEST(Fingerprints, NameNoMistakeThatAPassedCheckContradicts) {
     const Sample half = drawn({0.5f, 2, 1.5f});

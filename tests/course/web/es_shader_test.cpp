@@ -56,6 +56,41 @@ TEST(EsShader, AMissingFunctionIsDefinedIfItIsCalled) {
     EXPECT_EQ(es_shader(version + query, EsStage::vertex).find("vec2 textureQueryLod("), std::string::npos);
 }
 
+TEST(EsShader, ALoopThatMayNotEndHasALimitOfRounds) {
+    const auto limited = [](const std::string& text) { return "void f() { " + text + " }\n"; };
+    const auto loop = [&](const std::string& text) {
+        const std::string converted = es_shader(version + limited(text), EsStage::fragment, limited(text));
+        return converted.substr(converted.find("#line 2\n") + 8);
+    };
+    const std::pair<const char*, const char*> loops[] = {
+        {"while (true) ++x;", "while (relief_goes_on() && (true)) ++x;"},
+        {"for (;;) {}", "for (;relief_goes_on();) {}"},
+        {"do { ++x; } while (x < f(3));", "do { ++x; } while (relief_goes_on() && (x < f(3)));"},
+        {"for (int i = 0; i < n; ++i) ++x;", "for (int i = 0; relief_goes_on() && (i < n); ++i) ++x;"},
+        {"for (int i = 0; i < 99999999; ++i) ++x;", "for (int i = 0; relief_goes_on() && (i < 99999999); ++i) ++x;"},
+        {"for (int i = 0; i < 8; ++i) if (x > 0) { i = 0; }",
+         "for (int i = 0; relief_goes_on() && (i < 8); ++i) if (x > 0) { i = 0; }"},
+        {"for (int i = 0; i < 8; ++i) { --i; }", "for (int i = 0; relief_goes_on() && (i < 8); ++i) { --i; }"},
+        {"for (int i = 0; i < 8; ++i) { i -= 1; }", "for (int i = 0; relief_goes_on() && (i < 8); ++i) { i -= 1; }"},
+    };
+    for (const auto& [text, expected] : loops) EXPECT_EQ(loop(text), limited(expected));
+    // These end, and a compiler may have to unroll them.
+    for (const char* const text :
+         {"for (int i = 0; i < 8; ++i) x += i == 3 ? 1 : i - 1;", "for (int i = 0; i <= 8; i++) {}",
+          "const int n = 8; for (int i = 0; i < n; ++i) { a[i] = 1; }"})
+        EXPECT_EQ(loop(text), limited(text));
+    EXPECT_NE(es_shader(version + limited("for ("), EsStage::vertex, "for"), "");
+}
+
+TEST(EsShader, OnlyTheLoopsOfATaskFileHaveALimit) {
+    const std::string task = "#include \"common/unfinished.glsl\"\nvoid f() { while (true) {} }\n";
+    const std::string own = task.substr(task.find('\n') + 1), other = "void g() { while (true) {} }\n";
+    const std::string text = es_shader(version + other + own + other, EsStage::vertex, task);
+    EXPECT_NE(text.find(other + "void f() { while (relief_goes_on() && (true)) {} }\n" + other), text.npos) << text;
+    EXPECT_NE(text.find("bool relief_goes_on() { return ++relief_rounds < 8192; }\n"), text.npos);
+    EXPECT_EQ(es_shader(version + other, EsStage::vertex).find("relief_goes_on"), std::string::npos);
+}
+
 TEST(EsShader, AVertexStageCanMoveItsPositions) {
     const std::string text = "void main() { gl_Position = vec4(0); }\n",
                       moving = es_shader(version + text, EsStage::vertex);
