@@ -89,24 +89,26 @@ let requests = 0, code_error = null, failed_at = Infinity;  // `failed_at`: the 
 const fail = error => { failed_at = requests; complain(error); };
 
 // Draws onto the canvas, and returns the seconds that it took. The page goes on meanwhile, and no other call does.
-let is_slow = false;
+let context, is_slow = false;  // of the canvas; while a picture takes long
 const draw_picture = wanted => queue(async () => {
-  const began = performance.now(), canvas = $("canvas"), seconds = () => (performance.now() - began) / 1000;
+  const began = performance.now(), drawn_by = context, seconds = () => (performance.now() - began) / 1000;
   let failed = null;
-  await call_now("draw", JSON.stringify(wanted)).catch(error => { failed = error; });
-  while (!await call_now("show")) {
+  const keep = error => { failed ??= error; return true; };
+  await call_now("draw", JSON.stringify(wanted)).catch(keep);
+  while (!await call_now("show").catch(keep)) {
     is_slow = seconds() > slow_seconds;
     if (is_slow) status(`drawing for more than ${Math.floor(seconds())} s …`);
     await wait(0);
   }
   if (is_slow) status(`drawn in ${seconds().toFixed(1)} s`);
   is_slow = false;
-  if (canvas.getContext("webgl2").isContextLost()) throw Object.assign(new Error("the browser ended the drawing"), {is_lost: true});
+  if (drawn_by.isContextLost()) throw Object.assign(new Error("the browser ended the drawing"), {is_lost: true});
   if (failed) throw failed;
   return seconds();
 });
 
 const draw = async () => {
+  if (context.isContextLost()) return;
   const wanted = request(), canvas = $("canvas"), request_drawn = requests;
   if (canvas.width !== wanted.width || canvas.height !== wanted.height)
     canvas.width = wanted.width, canvas.height = wanted.height;
@@ -120,6 +122,7 @@ const draw = async () => {
     if (failed_at < request_drawn) failed_at = Infinity, complain(code_error ?? stopped);
     does_not_compile = false;
   } catch (error) {
+    if (error.is_lost) return;  // the page starts again
     does_not_compile = error.file === site.task;
     fail(code_error && error.file === site.code ? code_error : error);  // the newest text's error, not that of the last working one
   }
@@ -776,6 +779,7 @@ const start = async (module = open_module()) => {
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
   site.renderer = await call("start", "#canvas");
+  context = $("canvas").getContext("webgl2");
   $("renderer").textContent = `Drawn by ${site.renderer.replace(/^ANGLE \(|\)$/g, "")}.`;
   lab = await call("open", site.number);
   home = structuredClone(lab.camera), camera = structuredClone(lab.camera);
