@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/lab/registry.h"
 #include "tests/support.h"
 
 namespace relief::pages {
@@ -26,13 +27,16 @@ TEST(PageWords, SayWhatOneDoesInThePage) {
 
 // Also a handout that is written later.
 TEST(PageWords, LeaveNothingThatAPageDoesNotHave) {
-    for (const LabEntry& lab : registry()) {
-        const std::string handout = read_file(course_root() / "labs" / lab.folder / "README.md");
-        const std::string words = in_page_words(handout);
-        EXPECT_NE(words, handout) << lab.folder;
+    size_t handouts = 0;
+    for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
+        if (!std::filesystem::exists(lab.path() / "lab.toml")) continue;
+        const std::string handout = read_file(lab.path() / "README.md"), words = in_page_words(handout);
+        EXPECT_NE(words, handout) << lab.path();
         for (const char* const word : {"./relief run", "save it", "the window ", "the window:", "dropped on", "=FILE"})
-            EXPECT_FALSE(contains(words, word)) << lab.folder << ": " << word;
+            EXPECT_FALSE(contains(words, word)) << lab.path() << ": " << word;
+        ++handouts;
     }
+    EXPECT_GE(handouts, 19u);
 }
 
 }  // namespace
