@@ -79,6 +79,7 @@ const complain = error => {
   $("problem").hidden = !error;
   $("problem").textContent = error ? error.message + (error.details ? "\n" + error.details : "") : "";
   if (error?.further?.length) $("problem").append(folded(error.further));
+  if (error && error === stopped) $("problem").append(" ", make("button", {type: "button", textContent: "Draw it nevertheless", onclick: trust_text}));
   for (const [file, own] of [[site.task, editor], [site.code, code_editor]])
     own?.mark(error?.file === file ? error.line : 1, error?.file === file ? error.message : "");
 };
@@ -150,7 +151,7 @@ const task_parts = text => {
   }
   return parts;
 };
-// The tasks that may have the loop: those that were changed since a text was drawn in time, and have a loop.
+// The tasks that were changed since a text was drawn in time, and have a loop; all changed ones if none has.
 const suspects_in = (text, good) => {
   const before = task_parts(good), changed = [...task_parts(text)].filter(([task, part]) => task && part !== before.get(task));
   const loops = changed.filter(([, part]) => /\b(for|while)\b/.test(part.replace(/\/\/.*/g, "")));
@@ -165,6 +166,16 @@ const stop_text = (whom, why) => {
   $("check").disabled = true;
   fail(stopped);
   status("your text was stopped");
+};
+// A slow machine may need long for a text that ends.
+const trust_text = async () => {
+  stopped = null;
+  complain(code_error);
+  good_text = editor.text();
+  suspicion.end();
+  put_drawn_text(good_text);
+  await redraw();
+  check();
 };
 const stop_suspected = why => {
   const whom = suspicion.get();
