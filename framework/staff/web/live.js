@@ -175,7 +175,7 @@ const trust_text = async () => {
   suspicion.end();
   put_drawn_text(good_text);
   await redraw();
-  check();
+  pause = setTimeout(check, pauses.check);
 };
 const stop_suspected = why => {
   const whom = suspicion.get();
@@ -741,8 +741,10 @@ const check = async () => {
     complain(error);
     status("the checks did not run");
   } finally {
-    if (run === checking) $("check").disabled = Boolean(stopped);
-    if (drawn_text === good_text) suspicion.end();
+    if (run === checking) {
+      $("check").disabled = Boolean(stopped);
+      suspicion.end();
+    }
   }
 };
 
