@@ -123,6 +123,21 @@ std::string rounded(double number, int digits) {
 
 std::string plain(double number) { return rounded(number, 6); }
 
+std::vector<std::string> aligned_at_points(std::vector<std::string> cells, size_t width) {
+    const auto units_end = [](const std::string& cell) { return std::min(cell.find_first_of(". /"), cell.size()); };
+    size_t before = 0, after = 0;
+    for (const std::string& cell : cells) {
+        before = std::max(before, units_end(cell));
+        after = std::max(after, cell.size() - units_end(cell));
+    }
+    for (std::string& cell : cells) {
+        const size_t left = before - units_end(cell), right = after - (cell.size() - units_end(cell));
+        cell = std::string(left, ' ') + cell + std::string(right, ' ');
+        if (cell.size() < width) cell.insert(0, width - cell.size(), ' ');
+    }
+    return cells;
+}
+
 std::string plural(std::string_view unit) {
     if (unit.empty()) return "";
     const std::string_view counted = unit.substr(0, unit.find(' '));

@@ -39,6 +39,10 @@ std::string rounded(double number, int digits = 3);
 /// Formats a number as a person would type it, to six digits: "0.5", "32".
 std::string plain(double number);
 
+/// Pads the cells of a column to one width of at least `width`, so that the units of their first numbers, and with them
+/// the decimal points, stand below each other: "4.25", "11 + 2", "2.5/5", "-". Empty cells stay blank.
+std::vector<std::string> aligned_at_points(std::vector<std::string> cells, size_t width = 0);
+
 /// Returns the plural of a unit: "degrees", "patches", "heights per tile", "".
 std::string plural(std::string_view unit);
 

@@ -18,23 +18,42 @@ namespace {
 struct ListedLab {
     const LabEntry* lab;
     Manifest manifest;
+    std::string hours = {}, points = {}, earned = {};  ///< cells of the table
 };
 
-/// The columns of the table, 80 letters wide: numbers end below each other.
+/// Fills the columns of numbers. The points of numbers stand below each other.
+void fill_columns(std::vector<ListedLab>& labs) {
+    const auto fill = [&](std::string ListedLab::*column, size_t width, const auto& cell) {
+        std::vector<std::string> cells;
+        for (const ListedLab& one : labs) cells.push_back(cell(one));
+        cells = aligned_at_points(std::move(cells), width);
+        for (size_t i = 0; i < labs.size(); ++i) labs[i].*column = cells[i];
+    };
+    fill(&ListedLab::hours, 5,
+         [](const ListedLab& one) { return one.manifest.hours > 0 ? rounded(one.manifest.hours) : std::string(); });
+    fill(&ListedLab::points, 8, [](const ListedLab& one) {
+        std::string points = one.manifest.tasks.empty() ? "" : std::to_string(one.manifest.points());
+        if (one.manifest.optional_points() > 0) points += fmt::format(" + {}", one.manifest.optional_points());
+        return points;
+    });
+    fill(&ListedLab::earned, 8,
+         [](const ListedLab& one) { return check::last_points(*one.lab, one.manifest).value_or("-"); });
+}
+
+/// Prints a row of the table, 80 letters wide.
 void print_row(const std::string& number, const std::string& name, const std::string& title, const std::string& hours,
                const std::string& points, const std::string& earned) {
-    fmt::print("{:>2}  {:<22} {:<27} {:>5}  {:>8}  {:>8}\n", number, name, title, hours, points, earned);
+    std::string row =
+        fmt::format("{:>2}  {:<22} {:<27} {:>5}  {:>8}  {:>8}", number, name, title, hours, points, earned);
+    row.erase(row.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", row);
 }
 
 void print_heading() { print_row("", "lab", "title", "hours", "points", "earned"); }
 
 void print_lab(const ListedLab& one) {
-    const Manifest& manifest = one.manifest;
-    std::string points = manifest.tasks.empty() ? "" : std::to_string(manifest.points());
-    if (manifest.optional_points() > 0) points += fmt::format(" + {}", manifest.optional_points());
-    print_row(one.lab->two_digits(), one.lab->name, manifest.title + (manifest.elective ? " *" : ""),
-              manifest.hours > 0 ? rounded(manifest.hours) : "", points,
-              check::last_points(*one.lab, manifest).value_or("-"));
+    print_row(one.lab->two_digits(), one.lab->name, one.manifest.title + (one.manifest.elective ? " *" : ""), one.hours,
+              one.points, one.earned);
 }
 
 /// Explains the signs in the rows of these labs.
@@ -66,7 +85,7 @@ void print_path(const CoursePath& path, const std::vector<ListedLab>& labs) {
 
 void print_json(const std::vector<ListedLab>& labs) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const auto& [lab, manifest] : labs)
+    for (const auto& [lab, manifest, hours, points, earned] : labs)
         all.push_back({{"number", lab->number},
                        {"name", lab->name},
                        {"title", manifest.title},
@@ -100,6 +119,7 @@ public:
         if (json_) {
             print_json(labs);
         } else if (!labs.empty()) {
+            fill_columns(labs);
             print_heading();
             if (path)
                 print_path(*path, labs);

@@ -97,8 +97,8 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
                                 std::count_if(error.values.begin(), error.values.end(),
                                               [&](float value) { return !(value <= visible) && value != no_surface; }),
                                 error.pixel_count(), probe ? amount_of(visible, probe->unit) : "2/255",
-                                probe ? amount_of(summary.mean, probe->unit) : rounded(summary.mean * 255) + " 255ths",
-                                rounded(probe ? summary.largest : summary.largest * 255));
+                                probe ? amount_of(summary.mean, probe->unit) : rounded(summary.mean * 255) + "/255",
+                                probe ? rounded(summary.largest) : rounded(summary.largest * 255) + "/255");
     mark_one_sided(error, drawn, expected, largest);
     if (const size_t count = one_sided(drawn, expected).count(); count > 0)
         shown.differs += fmt::format("; {} have a surface in one of the two only", count);

@@ -404,15 +404,24 @@ std::string to_table(const ClassStanding& standing) {
     if (has_bank) text += "  late days";
     if (is_limited) text += "  hand-ins";
     text += "\n";
+    // Columns of the students' cells, one for each lab, then the sum.
+    const size_t labs = standing.students.empty() ? 0 : standing.students.front().labs.size();
+    std::vector<std::vector<std::string>> columns(labs + 1);
     for (const Standing& one : standing.students) {
-        text += fmt::format("{:<{}}", one.student.student, width);
-        for (const LabStanding& lab : one.labs)
-            text += fmt::format("  {:>7}", !lab.handed_in && lab.points() == 0 ? "-"
-                                           : !lab.marked
-                                               ? "?"
+        for (size_t i = 0; i < labs; ++i) {
+            const LabStanding& lab = one.labs[i];
+            columns[i].push_back(!lab.handed_in && lab.points() == 0 ? "-"
+                                 : !lab.marked                       ? "?"
                                                : fmt::format("{}/{}", check::points_text(lab.points()), lab.of()));
-        text += fmt::format("  {:>8}",
-                            one.is_marked() ? fmt::format("{}/{}", check::points_text(one.points()), one.of()) : "?");
+        }
+        columns[labs].push_back(one.is_marked() ? fmt::format("{}/{}", check::points_text(one.points()), one.of())
+                                                : "?");
+    }
+    for (size_t i = 0; i <= labs; ++i) columns[i] = aligned_at_points(std::move(columns[i]), i < labs ? 7 : 8);
+    for (size_t student = 0; student < standing.students.size(); ++student) {
+        const Standing& one = standing.students[student];
+        text += fmt::format("{:<{}}", one.student.student, width);
+        for (const std::vector<std::string>& column : columns) text += "  " + column[student];
         if (has_bank) text += fmt::format("  {:>9}", fmt::format("{}/{}", one.bank_used, one.bank_days));
         if (is_limited) {
             int graded = 0;

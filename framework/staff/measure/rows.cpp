@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
@@ -123,34 +126,70 @@ std::set<std::string> error_units(std::span<const BenchRow> rows, const BenchKno
     return units;
 }
 
-std::string table_head(const TableColumns& columns, const std::string& item, const std::string& error_title) {
+/// The columns of numbers in a table.
+enum class BenchColumn { median, p10, p90, rate, mean, p99, largest, wrong };
+constexpr std::array<size_t, 8> column_widths = {13, 9, 9, 6, 12, 10, 10, 8};
+using BenchCells = std::array<std::string, column_widths.size()>;
+
+/// Returns the numbers of each row as text; a number that a row does not have is blank.
+std::vector<BenchCells> cells_of(const TableColumns& columns, std::span<const BenchRow> rows) {
+    std::vector<BenchCells> cells(rows.size());
+    const double scale = columns.in_milliseconds ? 1e-6 : 1;
+    for (size_t column = 0; column < column_widths.size(); ++column) {
+        std::vector<std::string> texts;
+        for (const BenchRow& row : rows) {
+            const bool timed = row.repeats > 0, known = !row.error.unit.empty();
+            const std::pair<bool, double> values[] = {
+                {timed, scale * row.times.median},
+                {timed, scale * row.times.p10},
+                {timed, scale * row.times.p90},
+                {timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median},
+                {known, row.error.mean},
+                {known, row.error.p99},
+                {known, row.error.largest},
+                {row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100}};
+            const auto& [is_there, value] = values[column];
+            texts.push_back(is_there && row.is_measured() ? rounded(value, 4) : "");
+        }
+        texts = aligned_at_points(std::move(texts), column_widths[column]);
+        for (size_t i = 0; i < rows.size(); ++i) cells[i][column] = texts[i];
+    }
+    return cells;
+}
+
+/// `widths`: cells of any row.
+std::string table_head(const TableColumns& columns, const std::string& item, const std::string& error_title,
+                       const BenchCells& widths) {
     std::string text = fmt::format("{:<{}}  {:<{}}", "method", columns.method, "knobs", columns.knobs);
-    if (columns.time)
-        text += fmt::format("  {:>13}  {:>9}  {:>9}", (columns.in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90");
+    const auto put = [&](BenchColumn column, const std::string& title) {
+        text += fmt::format("  {:>{}}", title, widths[size_t(column)].size());
+    };
+    if (columns.time) {
+        put(BenchColumn::median, (columns.in_milliseconds ? "ms/" : "ns/") + item);
+        put(BenchColumn::p10, "p10"), put(BenchColumn::p90, "p90");
+    }
     if (columns.wide) text += "  ";
-    if (columns.rate) text += fmt::format("  {:>6}", "GB/s");
-    if (columns.error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + error_title, "p99", "largest");
-    if (columns.wrong) text += "   wrong %";
+    if (columns.rate) put(BenchColumn::rate, "GB/s");
+    if (columns.error) {
+        put(BenchColumn::mean, "mean " + error_title);
+        put(BenchColumn::p99, "p99"), put(BenchColumn::largest, "largest");
+    }
+    if (columns.wrong) put(BenchColumn::wrong, "wrong %");
     return text + "  work\n";
 }
 
-std::string table_line(const TableColumns& columns, const BenchRow& row, bool names_unit) {
+std::string table_line(const TableColumns& columns, const BenchRow& row, const BenchCells& cells, bool names_unit) {
     std::string text = fmt::format("{:<{}}  {:<{}}", row.method, columns.method, knob_text(row.knobs), columns.knobs);
     if (!row.is_measured()) return text + "  " + row.state + '\n';
-    const auto cell = [](bool known, double value, int width) {
-        return known ? fmt::format("  {:>{}}", rounded(value, 4), width) : std::string(size_t(width) + 2, ' ');
+    const auto put = [&](std::initializer_list<BenchColumn> shown) {
+        for (const BenchColumn column : shown) text += "  " + cells[size_t(column)];
     };
-    const bool timed = row.repeats > 0, known = !row.error.unit.empty();
-    const double scale = columns.in_milliseconds ? 1e-6 : 1;
-    if (columns.time)
-        text += cell(timed, scale * row.times.median, 13) + cell(timed, scale * row.times.p10, 9) +
-                cell(timed, scale * row.times.p90, 9);
+    if (columns.time) put({BenchColumn::median, BenchColumn::p10, BenchColumn::p90});
     if (columns.wide) text += row.is_wide() ? " *" : "  ";
-    if (columns.rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
-    if (columns.error)
-        text += cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
-    if (names_unit && known) text += " " + plural(row.error.unit);
-    if (columns.wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
+    if (columns.rate) put({BenchColumn::rate});
+    if (columns.error) put({BenchColumn::mean, BenchColumn::p99, BenchColumn::largest});
+    if (names_unit && !row.error.unit.empty()) text += " " + plural(row.error.unit);
+    if (columns.wrong) put({BenchColumn::wrong});
     text += "  " + work_text(row.work);
     text.erase(text.find_last_not_of(' ') + 1);
     if (row.sweep) text += "\n    " + verdict_of(*row.sweep, row.error.unit);
@@ -202,19 +241,17 @@ std::string clocks_of(std::span<const BenchRow> rows) {
 std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
     const TableColumns columns = columns_of(rows);
     std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
-    const BenchRow* before = nullptr;
-    bool names_units = false;  // in a scene with several units, each line names its own
-    for (const BenchRow& row : rows) {
-        if (!before || before->scene != row.scene || before->item != row.item) {
-            if (before) text += '\n';
-            if (!row.scene.empty()) text += fmt::format("[{}]\n", knob_text(row.scene));
-            const std::set<std::string> units = error_units(rows, row.scene);
-            names_units = units.size() > 1;
-            const std::string error_title = names_units ? "error" : plural(units.empty() ? "" : *units.begin());
-            text += table_head(columns, row.item, error_title);
-        }
-        before = &row;
-        text += table_line(columns, row, names_units);
+    for (size_t begin = 0, end = 0; begin < rows.size(); begin = end) {
+        const BenchRow& first = rows[begin];
+        while (end < rows.size() && rows[end].scene == first.scene && rows[end].item == first.item) ++end;
+        if (begin > 0) text += '\n';
+        if (!first.scene.empty()) text += fmt::format("[{}]\n", knob_text(first.scene));
+        const std::set<std::string> units = error_units(rows, first.scene);
+        const bool names_units = units.size() > 1;  // each line names its own
+        const std::string error_title = names_units ? "error" : plural(units.empty() ? "" : *units.begin());
+        const std::vector<BenchCells> cells = cells_of(columns, rows.subspan(begin, end - begin));
+        text += table_head(columns, first.item, error_title, cells.front());
+        for (size_t i = begin; i < end; ++i) text += table_line(columns, rows[i], cells[i - begin], names_units);
     }
     if (columns.wide)
         text +=

@@ -16,6 +16,21 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+TEST(Columns, HaveTheUnitsOfTheirNumbersInOneColumn) {
+    const Words cells = {"4.25", "11 + 2", "7", "", "-", "2.5/5", "103"};
+    const Words aligned = aligned_at_points(cells, 12);
+    for (size_t i = 0; i < cells.size(); ++i) {
+        EXPECT_EQ(aligned[i].size(), 12u);
+        if (cells[i].empty()) continue;
+        const size_t begin = aligned[i].find_first_not_of(' ');
+        const size_t whole = std::min(cells[i].find_first_of(". /"), cells[i].size());
+        EXPECT_EQ(aligned[i].substr(begin, cells[i].size()), cells[i]);
+        EXPECT_EQ(begin + whole, 12u - 4) << cells[i] << ": four letters stand behind the units of 11 + 2 and of 2.5/5";
+    }
+    EXPECT_EQ(aligned_at_points({"1", "10.5"}), (Words{" 1  ", "10.5"}));
+    EXPECT_EQ(aligned_at_points({}, 5), Words());
+}
+
 TEST(Numbers, AreParsedInEveryDecimalNotation) {
     for (const auto& [text, value] : std::vector<std::pair<std::string, double>>{
              {"0", 0}, {"32", 32}, {"-1.5", -1.5}, {".5", 0.5}, {"2.", 2}, {"1e3", 1000}, {"-2.5E-1", -0.25}})
