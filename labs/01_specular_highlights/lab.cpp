@@ -53,7 +53,8 @@ public:
         knobs.slider("light_height", light_height_, 0.1f, 5, KnobHelp("height of the lamp").in("metres"));
         knobs.choice("brdf", brdf_, brdfs.names,
                      KnobHelp("shape of the highlight: Blinn-Phong's, or that of most engines, as wide and with a tail")
-                         .only("terminator", {"none", "step", "chiang"}));
+                         .only("terminator", {"none", "step", "chiang"})
+                         .titled("BRDF"));
         knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("terminator", terminator_, terminators.names,

@@ -22,19 +22,24 @@ void Settings::knobs(Knobs& knobs) {
                  "the lit relief, the error compared with the exact slope, or half of each; or what else heights give: "
                  "how open a place is to the sky, how glossy by its normals' spread");
     knobs.group("Map");
-    knobs.choice_or_file("source", map.source, own, MapSettings::sources.names,
-                         "a known function, the bricks' height map, or the bricks' colours");
-    knobs.choice("size", map.size_choice, MapSettings::sizes, "texels along each side of the map (source waves)");
-    knobs.choice("bits", map.bits_choice, MapSettings::bit_counts, "bits per stored height (source waves)");
+    knobs.choice_or_file(
+        "source", map.source, own, MapSettings::sources.names,
+        KnobHelp("a known function, the bricks' height map, or the bricks' colours").titled("Height source"));
+    knobs.choice("size", map.size_choice, MapSettings::sizes,
+                 KnobHelp("texels along each side of the map (source waves)").titled("Map size"));
+    knobs.choice("bits", map.bits_choice, MapSettings::bit_counts,
+                 KnobHelp("bits per stored height (source waves)").titled("Bits per height"));
     knobs.slider("depth", map.depth, 0, 64, "depth of the relief: texels of a height of 1");
     knobs.slider("stretch", map.stretch, 0.25f, 4, "width of a texel divided by its height");
-    knobs.toggle("wrap", map.wrap, "continue the map at its other side; off: it ends at its border");
-    knobs.choice("where", map.where, MapSettings::places.names,
-                 "the map is computed by a fragment shader, or by the framework on the CPU");
+    knobs.toggle("wrap", map.wrap,
+                 KnobHelp("continue the map at its other side; off: it ends at its border").titled("Wrap at border"));
+    knobs.choice(
+        "where", map.where, MapSettings::places.names,
+        KnobHelp("the map is computed by a fragment shader, or by the framework on the CPU").titled("Where computed"));
     knobs.group("Strength of detail");
-    knobs.slider("fine", map.fine, 0, 3, "strength of detail of one texel");
-    knobs.slider("middle", map.middle, 0, 3, "strength of detail of two texels");
-    knobs.slider("coarse", map.coarse, 0, 3, "strength of detail of four texels");
+    knobs.slider("fine", map.fine, 0, 3, KnobHelp("strength of detail of one texel").titled("Fine detail"));
+    knobs.slider("middle", map.middle, 0, 3, KnobHelp("strength of detail of two texels").titled("Middle detail"));
+    knobs.slider("coarse", map.coarse, 0, 3, KnobHelp("strength of detail of four texels").titled("Coarse detail"));
     knobs.group("Wall and light");
     knobs.steps("repeat", repeat, 1, 4, "repeats of the map along each side of the wall: look for seams");
     knobs.slider("light_yaw", light_yaw, -180, 180, KnobHelp("direction of the light around the wall").in("degrees"));

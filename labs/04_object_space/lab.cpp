@@ -39,11 +39,14 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "every map, one of them, or baked light beside two of them");
-        knobs.choice("map", map_, maps.names, KnobHelp("the map of the column").only("view", {"one"}));
+        knobs.choice("map", map_, maps.names,
+                     KnobHelp("the map of the column").only("view", {"one"}).titled("Normal map"));
         knobs.slider("twist", twist_, -180, 180,
                      KnobHelp("twist of the column from its foot to its top").in("degrees"));
-        knobs.slider("rotate", rotate_, -180, 180, KnobHelp("rotation of the column about the vertical").in("degrees"));
-        knobs.slider("translate", translate_, -1, 1, KnobHelp("movement of the column to the side").in("metres"));
+        knobs.slider("rotate", rotate_, -180, 180,
+                     KnobHelp("rotation of the column about the vertical").in("degrees").titled("Rotation"));
+        knobs.slider("translate", translate_, -1, 1,
+                     KnobHelp("movement of the column to the side").in("metres").titled("Translation"));
         knobs.slider("light_yaw", light_yaw_, -180, 180,
                      KnobHelp("direction of the light around the column").in("degrees"));
         knobs.toggle("show_map", show_map_, "show the map in a corner");

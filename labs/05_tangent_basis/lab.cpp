@@ -58,8 +58,10 @@ public:
         knobs.choice_or_file("shape", shape_, own_, shapes.names, "shape with the bricks");
         knobs.choice("show", show_, shows.names,
                      "the light, the angle to the exact dP/du (frames: of B to dP/dv), or half of each");
-        knobs.toggle("lines", lines_,
-                     "draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none");
+        knobs.toggle(
+            "lines", lines_,
+            KnobHelp("draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none")
+                .titled("Lines of frames"));
         knobs.slider("line_length", line_length_, 2, 60, KnobHelp("length of the drawn axes").in("pixels"));
         knobs.group("Mesh");
         knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
@@ -67,7 +69,8 @@ public:
         knobs.slider("jitter", jitter_, 0, 1, "random shift of the vertices");
         knobs.slider("shear", shear_, -1, 1,
                      KnobHelp("shear of its texture: how much v grows along x").only("shape", {"quad"}));
-        knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
+        knobs.toggle("collapsed", collapsed_,
+                     KnobHelp("set all u to 0: no triangle has an area in uv").titled("Collapsed u"));
         knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180,
                      KnobHelp("direction of the light around the shape").in("degrees"));

@@ -46,20 +46,25 @@ public:
             KnobHelp("shape of the model; the wall's left half is mirrored").only("view", {"compare", "one"}));
         knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
-        knobs.choice_or_file("map", map_, own_, maps,
-                             "the normal map: bricks, one flat texel, or that of a glTF model");
+        knobs.choice_or_file(
+            "map", map_, own_, maps,
+            KnobHelp("the normal map: bricks, one flat texel, or that of a glTF model").titled("Normal map"));
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
-        knobs.choice("light_in", light_in_, spaces, "space of the lighting");
+        knobs.choice("light_in", light_in_, spaces, KnobHelp("space of the lighting").titled("Light in space"));
         knobs.toggle("gram_schmidt", gram_schmidt_,
-                     KnobHelp("make each pixel's frame orthonormal").only("view", {"one"}));
+                     KnobHelp("make each pixel's frame orthonormal").only("view", {"one"}).titled("Gram-Schmidt"));
         knobs.toggle("inverse_transpose", inverse_transpose_,
                      KnobHelp("transform normals by the inverse transpose").only("view", {"one"}));
         knobs.choice("order", order_, orders,
-                     "the model's matrices multiplied first, or the normal transformed by one after the other");
+                     KnobHelp("the model's matrices multiplied first, or the normal transformed by one after the other")
+                         .titled("Matrix order"));
         knobs.toggle("turn_tangent", turn_tangent_,
-                     KnobHelp("rotate the tangent with the texture").only("view", {"one"}));
+                     KnobHelp("rotate the tangent with the texture").only("view", {"one"}).titled("Turn tangent"));
         knobs.slider("turn", turn_, -180, 180,
-                     KnobHelp("rotation of the texture").in("degrees").only("view", {"compare", "one"}));
+                     KnobHelp("rotation of the texture")
+                         .in("degrees")
+                         .only("view", {"compare", "one"})
+                         .titled("Turn of texture"));
         knobs.group("Model");
         knobs.slider("scale_x", scale_.x, -2, 2,
                      KnobHelp("scale of the model along x").only("view", {"compare", "one"}));
@@ -67,16 +72,19 @@ public:
                      KnobHelp("scale of the model along y").only("view", {"compare", "one"}));
         knobs.slider("scale_z", scale_.z, -2, 2,
                      KnobHelp("scale of the model along z").only("view", {"compare", "one"}));
-        knobs.steps("size", size_, -6, 6,
-                    KnobHelp("size of the model, a power of ten").only("view", {"compare", "one"}));
-        knobs.slider("rotate", rotate_, -180, 180, KnobHelp("rotation of the model about the vertical").in("degrees"));
+        knobs.steps(
+            "size", size_, -6, 6,
+            KnobHelp("size of the model, a power of ten").only("view", {"compare", "one"}).titled("Size: power of 10"));
+        knobs.slider("rotate", rotate_, -180, 180,
+                     KnobHelp("rotation of the model about the vertical").in("degrees").titled("Rotation"));
         knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180, KnobHelp("direction of the light").in("degrees"));
         knobs.slider("light_height", light_height_, -3, 3, KnobHelp("height of the light").in("metres"));
         knobs.slider("light_distance", light_distance_, 0, 5,
                      KnobHelp("distance of the light from the axis").in("metres"));
         knobs.group("Faults");
-        knobs.choice("trouble", trouble_, troubles.names, "faults in the tangents of the vertices");
+        knobs.choice("trouble", trouble_, troubles.names,
+                     KnobHelp("faults in the tangents of the vertices").titled("Tangent trouble"));
     }
 
     std::optional<Image> truth(const Frame& frame) const override {

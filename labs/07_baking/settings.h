@@ -79,26 +79,32 @@ struct Settings {
         knobs.choice("view", view, views.names,
                      "all models, the cube or a file by every frame, a cut with its rays, the map, or one model");
         knobs.choice_or_file("shape", shape, own.coarse, shapes.names,
-                             "the model: an ammonite, one in a mirror, or a cube");
-        knobs.choice_or_file("fine", fine, own.fine, fines.names, "the fine model of a file: the file itself");
+                             KnobHelp("the model: an ammonite, one in a mirror, or a cube").titled("Model"));
+        knobs.choice_or_file("fine", fine, own.fine, fines.names,
+                             KnobHelp("the fine model of a file: the file itself").titled("Fine model"));
         knobs.choice("wears", wears, wears_choices.names,
                      KnobHelp("the coarse model with its map, without, the fine one, or the map in its file")
-                         .only("view", {"one"}));
-        knobs.slider("cut", cut, 0, 1, KnobHelp("where the cut is").in("turns").only("view", {"rays"}));
+                         .only("view", {"one"})
+                         .titled("Model wears"));
+        knobs.slider("cut", cut, 0, 1,
+                     KnobHelp("where the cut is").in("turns").only("view", {"rays"}).titled("Cut at"));
         knobs.group("Bake");
-        knobs.choice("map", space, spaces.names, "space of the map's normals");
+        knobs.choice("map", space, spaces.names, KnobHelp("space of the map's normals").titled("Map space"));
         knobs.choice("bake_frame", bake_frame, std::span(frames.names).first(bake_frames),
                      "frame in which the bake stores a normal");
         knobs.choice("frame", frame, frames.names, "frame in which the renderer reads it");
         knobs.choice("diagonal", diagonal, diagonals.names,
-                     "the renderer cuts quads as the bake did, or the other way");
+                     KnobHelp("the renderer cuts quads as the bake did, or the other way").titled("Quad diagonal"));
         knobs.choice("rays", rays_along, ray_normals.names,
                      "direction of a ray: the interpolated normal, or the face's");
         knobs.choice("take", take, takes.names,
-                     "which hit counts: the nearest to the coarse model, the first, or the last");
-        knobs.slider("reach", reach, 0, 0.6f, "distance of the cage, in radii of the tube");
+                     KnobHelp("which hit counts: the nearest to the coarse model, the first, or the last")
+                         .titled("Hit to take"));
+        knobs.slider("reach", reach, 0, 0.6f,
+                     KnobHelp("distance of the cage, in radii of the tube").titled("Reach of cage"));
         knobs.group("Shell");
-        knobs.slider("gap", gap, 0, 0.4f, "free space between the whorls, in radii of the tube");
+        knobs.slider("gap", gap, 0, 0.4f,
+                     KnobHelp("free space between the whorls, in radii of the tube").titled("Gap of whorls"));
         knobs.toggle("cord", cord, "a cord that winds above the last whorl without touching it");
         knobs.group("Sculpting the fine model");
         knobs.slider("ribs", sculpt.ribs, 0, 2, "height of the shell's ribs: a factor");
@@ -108,12 +114,12 @@ struct Settings {
         knobs.choice("islands", islands, island_choices.names,
                      "strips of the map side by side, or two of them in one place");
         knobs.choice("map_size", size, sizes, KnobHelp("side of the map").in("texels"));
-        knobs.choice("bits", bits, bit_counts, "bits of each channel of the map");
+        knobs.choice("bits", bits, bit_counts, KnobHelp("bits of each channel of the map").titled("Bits per channel"));
         knobs.steps("padding", padding, 0, 16, "texels by which the map goes on around its islands");
-        knobs.choice("level", level, levels, "mip level of the map that is read");
+        knobs.choice("level", level, levels, KnobHelp("mip level of the map that is read").titled("Mip level"));
         knobs.group("Models");
-        knobs.choice("low", low, low_names, "triangles of the coarse model");
-        knobs.choice("high", high, high_names, "triangles of the fine model");
+        knobs.choice("low", low, low_names, KnobHelp("triangles of the coarse model").titled("Low: triangles"));
+        knobs.choice("high", high, high_names, KnobHelp("triangles of the fine model").titled("High: triangles"));
         light.knobs(knobs);
     }
 };

@@ -75,9 +75,11 @@ struct Settings {
         knobs.group("Picture");
         knobs.choice("view", view, views.names,
                      "the garden and its programs; or one picture, filters, mip levels, the lamp");
-        knobs.choice_or_file("file", file, own, files.names, "the model");
-        knobs.choice("maps", maps, map_choices.names,
-                     "read the maps that materials name; with and without them side by side; or without normals only");
+        knobs.choice_or_file("file", file, own, files.names, KnobHelp("the model").titled("Model file"));
+        knobs.choice(
+            "maps", maps, map_choices.names,
+            KnobHelp("read the maps that materials name; with and without them side by side; or without normals only")
+                .titled("Maps read"));
         knobs.toggle("normal_maps", switches.normals,
                      KnobHelp("read normals and heights").only("maps", {"on", "wipe", "wipe-normals"}));
         knobs.toggle("specular_maps", switches.highlights,
@@ -85,19 +87,23 @@ struct Settings {
         knobs.toggle("mask_maps", switches.masks, KnobHelp("read masks").only("maps", {"on", "wipe", "wipe-normals"}));
         knobs.choice("programs", program_kind, program_kinds.names,
                      "a program for each set of features, or one with branches");
-        knobs.steps("highlight", highlight, 0, 12, "show this material alone in its light; 0: all");
-        knobs.choice("filter", filter, filters.names, "how the colours of maps are read");
+        knobs.steps("highlight", highlight, 0, 12,
+                    KnobHelp("show this material alone in its light; 0: all").titled("Highlight one"));
+        knobs.choice("filter", filter, filters.names,
+                     KnobHelp("how the colours of maps are read").titled("Colour filter"));
         knobs.group("Glass and masks");
         knobs.choice("order", order, orders.names,
-                     "order of the surfaces; weighted: glass in any order, blended by weights");
+                     KnobHelp("order of the surfaces; weighted: glass in any order, blended by weights")
+                         .titled("Surface order"));
         knobs.choice("blend_in", blend_in, blend_spaces.names, "blend light, or the values that sRGB stores");
-        knobs.choice("alpha", alpha, alphas.names, "what a mask does with a pixel");
+        knobs.choice("alpha", alpha, alphas.names, KnobHelp("what a mask does with a pixel").titled("Alpha masks"));
         knobs.slider("threshold", threshold, 0.05f, 0.95f, KnobHelp("what is above it stays").only("alpha", {"test"}));
-        knobs.slider("fence", fence, 0.5f, 8, "tiles of wire to one of the file's");
+        knobs.slider("fence", fence, 0.5f, 8, KnobHelp("tiles of wire to one of the file's").titled("Fence tiles"));
         knobs.group("Lantern");
         knobs.choice("lamp", lamp, lamps.names, "the lantern with its cone, without it, or daylight");
-        knobs.slider("range", range, 0, 20, KnobHelp("how far the lantern reaches").in("metres"));
-        knobs.slider("cone", cone, 0, 64, "exponent of the lantern's cone; 0 shines all around");
+        knobs.slider("range", range, 0, 20, KnobHelp("how far the lantern reaches").in("metres").titled("Lamp range"));
+        knobs.slider("cone", cone, 0, 64,
+                     KnobHelp("exponent of the lantern's cone; 0 shines all around").titled("Lamp cone"));
         knobs.slider("lamp_height", lamp_height, 0, 3,
                      KnobHelp("height of the lantern's light above the ground").in("metres"));
         distant.knobs(knobs, -5, 90);

@@ -56,18 +56,21 @@ struct Settings {
                      KnobHelp("slopes by a filter in the map, or from the heights' formula").only("view", {"faces"}));
         knobs.choice("lit_by", lit_by, normal_sources.names,
                      "normals of the map, those at the vertices, interpolated, or the map's with bricks on each face");
-        knobs.toggle("gutter", gutter, "maps go on beyond the border of their patch, or repeat its last texel");
+        knobs.toggle(
+            "gutter", gutter,
+            KnobHelp("maps go on beyond the border of their patch, or repeat its last texel").titled("Gutter of maps"));
         knobs.choice("strength", strength, strengths.names, "by what a level multiplies its slopes");
         knobs.group("Patches");
         knobs.choice("levels", levels, level_rules.names,
-                     "all patches alike, by distance, or by their error on the screen");
+                     KnobHelp("all patches alike, by distance, or by their error on the screen").titled("Levels by"));
         knobs.steps("level", level, 0, 5, "for levels = uniform, and of the faces: level of every patch");
-        knobs.slider("budget", budget, 0.25f, 16, KnobHelp("tolerated error").in("pixels"));
-        knobs.choice("quads", quads, quad_counts, "quads along a patch's side");
-        knobs.choice("texels", texels, texel_counts, "texels along a patch's side");
+        knobs.slider("budget", budget, 0.25f, 16, KnobHelp("tolerated error").in("pixels").titled("Error budget"));
+        knobs.choice("quads", quads, quad_counts, KnobHelp("quads along a patch's side").titled("Quads per side"));
+        knobs.choice("texels", texels, texel_counts, KnobHelp("texels along a patch's side").titled("Texels per side"));
         knobs.toggle("skirts", skirts, "borders reach down, so that no gap opens between two levels");
-        knobs.choice("cull", cull, culls.names,
-                     "leave out no patches, those outside of the picture, or also hidden ones");
+        knobs.choice(
+            "cull", cull, culls.names,
+            KnobHelp("leave out no patches, those outside of the picture, or also hidden ones").titled("Cull patches"));
         knobs.group("Eye");
         knobs.choice("eye", eye, eyes.names, "the camera, or above a place on the ground");
         knobs.slider("altitude", altitude, -6, 1,
@@ -78,13 +81,16 @@ struct Settings {
                      KnobHelp("latitude of the place").in("degrees").only("eye", {"ground"}));
         knobs.slider("heading", heading, -180, 180,
                      KnobHelp("direction from north to the right").in("degrees").only("eye", {"ground"}));
-        knobs.slider("tilt", tilt, -90, 90, KnobHelp("elevation of the view").in("degrees").only("eye", {"ground"}));
+        knobs.slider("tilt", tilt, -90, 90,
+                     KnobHelp("elevation of the view").in("degrees").only("eye", {"ground"}).titled("View tilt"));
         knobs.group("Planet");
         knobs.slider("radius", radius, 0, 7, "radius of the planet, as a power of 10 in metres; 6.804 is the Earth");
-        knobs.choice("precise", precise, precisions.names, "subtract the eye before rounding to float, or after");
-        knobs.choice("depth", depth, depths.names, "depth by a logarithm, or as usual");
-        knobs.slider("height", height, 0, 2, "height of mountains and craters");
-        knobs.steps("detail", detail, 0, 5, "octaves of the mountains' ridges");
+        knobs.choice("precise", precise, precisions.names,
+                     KnobHelp("subtract the eye before rounding to float, or after").titled("Precise by"));
+        knobs.choice("depth", depth, depths.names,
+                     KnobHelp("depth by a logarithm, or as usual").titled("Depth buffer"));
+        knobs.slider("height", height, 0, 2, KnobHelp("height of mountains and craters").titled("Mountain height"));
+        knobs.steps("detail", detail, 0, 5, KnobHelp("octaves of the mountains' ridges").titled("Detail octaves"));
         knobs.steps("seed", seed, 0, 99, "another planet");
         sun.knobs(knobs);
     }

@@ -49,11 +49,19 @@ public:
         light_.knobs(knobs);
         knobs.group("Model");
         knobs.choice("eye", eye_, eyes,
-                     KnobHelp("dot products in the world, or the inverse of the model's matrix").only("view", {"eye"}));
+                     KnobHelp("dot products in the world, or the inverse of the model's matrix")
+                         .only("view", {"eye"})
+                         .titled("Eye by"));
         knobs.slider("turn", turn_, -180, 180,
-                     KnobHelp("turn of the model and the camera in the world").in("degrees").only("view", {"eye"}));
+                     KnobHelp("turn of the model and the camera in the world")
+                         .in("degrees")
+                         .only("view", {"eye"})
+                         .titled("World turn"));
         knobs.slider("away", away_, 0, 10000,
-                     KnobHelp("distance of both from the world's origin").in("metres").only("view", {"eye"}));
+                     KnobHelp("distance of both from the world's origin")
+                         .in("metres")
+                         .only("view", {"eye"})
+                         .titled("Away from origin"));
     }
 
     std::optional<Image> truth(const Frame& frame) const override {

@@ -55,7 +55,7 @@ public:
         knobs.choice("show", show_, shows, KnobHelp("the picture, the error, or both").only("view", {"compare"}));
         knobs.group("March");
         knobs.choice("count", chosen_.count, counts.names,
-                     KnobHelp("rule for the number of steps").only("view", {"one"}));
+                     KnobHelp("rule for the number of steps").only("view", {"one"}).titled("Step count by"));
         knobs.steps("steps", steps_, 1, 512,
                     KnobHelp("steps of the march; with count = angle: of a level ray").only("view", {"one"}));
         knobs.steps("least_steps", least_steps_, 1, 512,
@@ -65,10 +65,12 @@ public:
         knobs.choice("refine", chosen_.refine, refinements,
                      KnobHelp("how the hit is found between the last two samples").only("view", {"one"}));
         knobs.steps("rounds", chosen_.rounds, 0, 8,
-                    KnobHelp("rounds").only("refine", {"bisection", "secant", "illinois"}));
-        knobs.choice("mip", mip_, mips, "mip level that the march reads");
-        knobs.choice("lookup", lookup_, lookups, "implicit: texture() chooses the level, a common mistake");
-        knobs.toggle("skip", skip_, "skip marches that are too short to see, or over level ground");
+                    KnobHelp("rounds").only("refine", {"bisection", "secant", "illinois"}).titled("Refine rounds"));
+        knobs.choice("mip", mip_, mips, KnobHelp("mip level that the march reads").titled("Mip level"));
+        knobs.choice("lookup", lookup_, lookups,
+                     KnobHelp("implicit: texture() chooses the level, a common mistake").titled("Texture lookup"));
+        knobs.toggle("skip", skip_,
+                     KnobHelp("skip marches that are too short to see, or over level ground").titled("Skip marches"));
         knobs.toggle("decal", decal_, "paint on a pane at the top of the relief");
         light_.knobs(knobs);
         surface_.knobs(knobs);

@@ -69,8 +69,9 @@ public:
                      "shadow of the relief on itself: by search, or guessed from normals");
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
-        knobs.toggle("costs", costs_,
-                     KnobHelp("show the time and memory of each method's map").only("view", {"compare"}));
+        knobs.toggle(
+            "costs", costs_,
+            KnobHelp("show the time and memory of each method's map").only("view", {"compare"}).titled("Show costs"));
         light_.knobs(knobs, -10, 89);
         KnobsOnly of_surface(knobs, "view", {"compare", "one"});
         surface_.knobs(of_surface);

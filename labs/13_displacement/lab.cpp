@@ -59,11 +59,12 @@ public:
         knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
         knobs.group("Tessellation");
         KnobsOnly of_chosen(knobs, "view", {"beside", "spacings", "one"});
-        of_chosen.slider("level", chosen_.level, 1, 64, "segments of each edge");
-        of_chosen.slider("inside", inside_, 0, 64, "segments of the inside; 0: as along the edges");
+        of_chosen.slider("level", chosen_.level, 1, 64, KnobHelp("segments of each edge").titled("Edge level"));
+        of_chosen.slider("inside", inside_, 0, 64,
+                         KnobHelp("segments of the inside; 0: as along the edges").titled("Inside level"));
         of_chosen.choice("spacing", chosen_.spacing, DisplacedSurface::spacings,
                          KnobHelp("positions of the vertices at a fractional level").only("view", {"beside", "one"}));
-        of_chosen.choice("mip", chosen_.mip, mips, "mip level that a vertex reads");
+        of_chosen.choice("mip", chosen_.mip, mips, KnobHelp("mip level that a vertex reads").titled("Mip level"));
         of_chosen.choice("normals", chosen_.normals, normal_names, "source of the normals");
         light_.knobs(knobs);
         knobs.toggle("shadow", shadow_, "the surface casts a shadow on itself");
@@ -71,7 +72,9 @@ public:
                      KnobHelp("segments of each edge in the shadow map; 0: as in the picture").only("shadow", {"on"}));
         surface_.knobs(knobs);
         knobs.toggle("packed", surface_.material.packed,
-                     KnobHelp("height, gloss and occlusion from one texture").only("map", {"wall", "paving"}));
+                     KnobHelp("height, gloss and occlusion from one texture")
+                         .only("map", {"wall", "paving"})
+                         .titled("Packed maps"));
     }
 
     std::optional<Image> truth(const Frame& frame) const override {

@@ -49,28 +49,43 @@ struct Settings {
     void knobs(Knobs& knobs) {
         knobs.group("Picture");
         knobs.choice("view", view, views.names, "the eye's picture, its patches from above, or both");
-        knobs.toggle("wire", wire, "draw the triangles' edges");
+        knobs.toggle("wire", wire, KnobHelp("draw the triangles' edges").titled("Wireframe"));
         knobs.group("Levels");
-        knobs.choice("method", method, methods.names, "rule for the levels");
-        knobs.choice("levels_of", levels_of, levels_ofs.names, "a level per edge, or per patch, which opens cracks");
-        knobs.slider("level", level, 1, 64, KnobHelp("level of every edge").only("method", {"uniform"}));
+        knobs.choice("method", method, methods.names, KnobHelp("rule for the levels").titled("Level method"));
+        knobs.choice("levels_of", levels_of, levels_ofs.names,
+                     KnobHelp("a level per edge, or per patch, which opens cracks").titled("Levels of"));
+        knobs.slider("level", level, 1, 64,
+                     KnobHelp("level of every edge").only("method", {"uniform"}).titled("Edge level"));
         knobs.slider("nearest", nearest, 0.1f, 32,
-                     KnobHelp("where edges have the finest level").in("metres").only("method", {"distance"}));
+                     KnobHelp("where edges have the finest level")
+                         .in("metres")
+                         .only("method", {"distance"})
+                         .titled("Nearest distance"));
         knobs.slider("farthest", farthest, 0.1f, 64,
-                     KnobHelp("where edges have the coarsest level").in("metres").only("method", {"distance"}));
-        knobs.slider("finest", finest, 0, 6,
-                     KnobHelp("the finest level, an exponent of 2").only("method", {"distance"}));
-        knobs.slider("coarsest", coarsest, 0, 6,
-                     KnobHelp("the coarsest level, an exponent of 2").only("method", {"distance"}));
-        knobs.slider("segment", segment, 1, 64, KnobHelp("pixels per segment").only("method", {"size"}));
-        knobs.slider("budget", budget, 0.125f, 8, KnobHelp("tolerated error").in("pixels").only("method", {"error"}));
+                     KnobHelp("where edges have the coarsest level")
+                         .in("metres")
+                         .only("method", {"distance"})
+                         .titled("Farthest distance"));
+        knobs.slider(
+            "finest", finest, 0, 6,
+            KnobHelp("the finest level, an exponent of 2").only("method", {"distance"}).titled("Finest level"));
+        knobs.slider(
+            "coarsest", coarsest, 0, 6,
+            KnobHelp("the coarsest level, an exponent of 2").only("method", {"distance"}).titled("Coarsest level"));
+        knobs.slider("segment", segment, 1, 64,
+                     KnobHelp("pixels per segment").only("method", {"size"}).titled("Segment length"));
+        knobs.slider("budget", budget, 0.125f, 8,
+                     KnobHelp("tolerated error").in("pixels").only("method", {"error"}).titled("Error budget"));
         knobs.choice("spacing", spacing, DisplacedSurface::spacings, "positions of the vertices at a fractional level");
-        knobs.choice("mip", mip, mips.names,
-                     "mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks");
+        knobs.choice(
+            "mip", mip, mips.names,
+            KnobHelp("mip level that a vertex reads: the finest, or by its patch's own level, which opens cracks")
+                .titled("Mip level"));
         knobs.group("Culling and fading");
         knobs.choice("cull", cull, culls.names,
-                     "cull no patches, those outside of the picture, or also those that face away");
-        knobs.toggle("fade", fade, "let the displacement fade into the normal map");
+                     KnobHelp("cull no patches, those outside of the picture, or also those that face away")
+                         .titled("Cull patches"));
+        knobs.toggle("fade", fade, KnobHelp("let the displacement fade into the normal map").titled("Fade relief"));
         knobs.slider("fade_begin", fade_begin, 0, 64,
                      KnobHelp("where the fade begins, metres from the eye").only("fade", {"on"}));
         knobs.slider("fade_end", fade_end, 0, 64,

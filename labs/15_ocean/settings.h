@@ -50,7 +50,8 @@ struct Settings {
         knobs.choice("waves", water.maps, Water::choices_of_maps, "both maps, or one of them");
         knobs.choice("normals", source, sources.names,
                      "slopes out of normal maps, out of height maps, or by the formula");
-        knobs.choice("far", far, fars.names, "what the highlight knows of the waves within a pixel");
+        knobs.choice("far", far, fars.names,
+                     KnobHelp("what the highlight knows of the waves within a pixel").titled("Far highlight"));
         knobs.choice("samples", sample_count, sample_counts.names,
                      KnobHelp("places within a pixel").only("far", {"samples"}));
         knobs.choice("fresnel", fresnel, fresnels.names,
@@ -64,17 +65,21 @@ struct Settings {
                      KnobHelp("significant wave height of the first map").in("metres"));
         knobs.slider("amplitude_2", water.amplitudes[1], 0, 4,
                      KnobHelp("significant wave height of the second map").in("metres"));
-        knobs.slider("wind", water.wind, 0, 20,
-                     "metres a second: scales both amplitudes by Cox and Munk's law; 0 does not");
+        knobs.slider(
+            "wind", water.wind, 0, 20,
+            KnobHelp("metres a second: scales both amplitudes by Cox and Munk's law; 0 does not").titled("Wind speed"));
         knobs.slider("shininess", shininess, 1, 4096, "exponent of the highlight of a single slope");
-        knobs.toggle("lock", lock, "normal maps lie as the height maps do; else they are tiled three times as often");
-        knobs.choice("level", level, levels, "mip level of the maps that a pixel reads");
+        knobs.toggle("lock", lock,
+                     KnobHelp("normal maps lie as the height maps do; else they are tiled three times as often")
+                         .titled("Lock the maps"));
+        knobs.choice("level", level, levels, KnobHelp("mip level of the maps that a pixel reads").titled("Mip level"));
         knobs.group("Waves of your own");
         water.file_knobs(knobs);
         knobs.group("Raised waves");
-        knobs.toggle("displace", displace, "raise the waves near the eye");
-        knobs.slider("budget", budget, 0.25f, 16, KnobHelp("error of the raised waves").in("pixels"));
-        knobs.toggle("wire", wire, "draw the triangles' edges");
+        knobs.toggle("displace", displace, KnobHelp("raise the waves near the eye").titled("Displace waves"));
+        knobs.slider("budget", budget, 0.25f, 16,
+                     KnobHelp("error of the raised waves").in("pixels").titled("Error budget"));
+        knobs.toggle("wire", wire, KnobHelp("draw the triangles' edges").titled("Wireframe"));
         light.knobs(knobs, -5, 90);
     }
 };

@@ -58,20 +58,26 @@ public:
         knobs.toggle("shadow", shadow_.on, "the sun's shadow");
         knobs.choice("shadow_texels", shadow_.texels, SunShadow::texel_counts,
                      "texels along an edge of the shadow map");
-        knobs.steps("pcf", shadow_.pcf, 0, 2, "texels around a place that are compared, in each direction");
-        knobs.choice("bias", shadow_.bias, SunShadow::biases.names,
-                     "how much nearer a place counts: not at all, by a texel, by its plane");
+        knobs.steps("pcf", shadow_.pcf, 0, 2,
+                    KnobHelp("texels around a place that are compared, in each direction").titled("PCF radius"));
+        knobs.choice(
+            "bias", shadow_.bias, SunShadow::biases.names,
+            KnobHelp("how much nearer a place counts: not at all, by a texel, by its plane").titled("Shadow bias"));
         knobs.group("Occlusion");
-        knobs.toggle("ao", occlusion_.on, "occlusion by what is near in the picture");
-        knobs.steps("slices", occlusion_.slices, 1, 16, "planes in which horizons are looked for");
-        knobs.steps("taps", occlusion_.taps, 1, 48, "places looked at on each side of a plane");
+        knobs.toggle("ao", occlusion_.on,
+                     KnobHelp("occlusion by what is near in the picture").titled("Ambient occlusion"));
+        knobs.steps("slices", occlusion_.slices, 1, 16,
+                    KnobHelp("planes in which horizons are looked for").titled("AO slices"));
+        knobs.steps("taps", occlusion_.taps, 1, 48,
+                    KnobHelp("places looked at on each side of a plane").titled("AO taps"));
         knobs.toggle("occlusion", map_occlusion_, "the packed map's occlusion");
         knobs.group("Scene");
         knobs.steps("lamps", lamps_, 1, 3, "the sun, and up to two lanterns");
-        knobs.toggle("displace", stage_.displace, "the court's floor rises above its puddles");
+        knobs.toggle("displace", stage_.displace,
+                     KnobHelp("the court's floor rises above its puddles").titled("Displace floor"));
         knobs.slider("tilt", stage_.tilt, -89, 89,
                      KnobHelp("how steep it is").in("degrees").only("scene", {"groove", "plane", "board"}));
-        knobs.choice("level", level_, levels.names, "mip level of the surfaces' maps");
+        knobs.choice("level", level_, levels.names, KnobHelp("mip level of the surfaces' maps").titled("Mip level"));
         knobs.group("One pixel");
         knobs.slider("pixel_x", pixel_.place.x, 0, 1,
                      KnobHelp("place from the left, in widths").only("view", {"one-pixel"}));

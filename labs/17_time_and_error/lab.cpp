@@ -51,12 +51,14 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
-        knobs.slider("budget", budget_, 0.25f, 16, KnobHelp("tolerated error of the relief").in("pixels"));
+        knobs.slider("budget", budget_, 0.25f, 16,
+                     KnobHelp("tolerated error of the relief").in("pixels").titled("Error budget"));
         knobs.choice("view", view_, views.names, "the picture, the methods as colours, or both");
         knobs.choice("method", method_, methods.names, "the cheapest that keeps the budget, or one everywhere");
         knobs.toggle("spend", spend_,
                      KnobHelp("thin the relief by the budget; off: as in labs 11 to 13")
-                         .only("method", {"parallax", "exact", "displacement"}));
+                         .only("method", {"parallax", "exact", "displacement"})
+                         .titled("Spend budget"));
         knobs.group("Costs");
         knobs.slider("exact_taps", exact_taps_, 0, 1000, "taps of a march that take as long as an exact search");
         knobs.slider("triangle_taps", triangle_taps_, 0, 10000,

@@ -65,8 +65,9 @@ struct Settings {
         knobs.slider("weights_over", over, 0, 6, KnobHelp("length of a joint, over which weights change").in("radii"));
         knobs.choice("weights", weights, sums.names, "weights that sum to 1, or do not");
         knobs.choice("signs", signs, signs_of.names,
-                     "dual quaternions of neighbours alike, or opposite (the same motions)");
-        knobs.toggle("folds", folds, "paint blue where the skin folds over itself");
+                     KnobHelp("dual quaternions of neighbours alike, or opposite (the same motions)")
+                         .titled("Quaternion signs"));
+        knobs.toggle("folds", folds, KnobHelp("paint blue where the skin folds over itself").titled("Paint folds"));
         knobs.group("Bodies");
         knobs.steps("instances", instances, 1, most_instances, "bodies, the first one included");
         knobs.choice("triangles", triangles, triangle_counts, "triangles of the first body");
@@ -82,7 +83,8 @@ struct Settings {
                      KnobHelp("turn of the materials' textures").in("degrees"));
         knobs.slider("material_scale", material_scale, 0, 4, "scale of the materials' textures");
         knobs.steps("material", material, 0, material_count - 1, "material of the first body");
-        knobs.slider("relief", relief, 0, 2, "strength of the scales; 0 is smooth");
+        knobs.slider("relief", relief, 0, 2,
+                     KnobHelp("strength of the scales; 0 is smooth").titled("Relief of scales"));
         light.knobs(knobs);
     }
 };

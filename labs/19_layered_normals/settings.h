@@ -96,8 +96,11 @@ struct Settings {
         knobs.slider("fade", fade, 0.1f, 1000,
                      KnobHelp("where the grain is gone; it fades from half of it on")
                          .in("metres")
-                         .only("view", {"wall", "blends"}));
-        knobs.slider("tiles", tiles, 1, 16, "tiles of the grain on one of the stones, or on two metres of a solid");
+                         .only("view", {"wall", "blends"})
+                         .titled("Fade of grain"));
+        knobs.slider(
+            "tiles", tiles, 1, 16,
+            KnobHelp("tiles of the grain on one of the stones, or on two metres of a solid").titled("Tiles of grain"));
         knobs.group("Solids");
         knobs.choice("shape", shape, shapes.names,
                      KnobHelp("a sphere, a rock, or a cube").only("view", {"solid", "mappings"}));
@@ -111,7 +114,8 @@ struct Settings {
         knobs.choice(
             "brdf", brdf, brdfs.names,
             KnobHelp("the highlight of a texel: Blinn-Phong as a Gaussian of slopes, or GGX with its long tail")
-                .only("view", {"wall", "blends", "far"}));
+                .only("view", {"wall", "blends", "far"})
+                .titled("BRDF"));
         knobs.slider(
             "shininess", shininess, 1, 4096,
             KnobHelp("one over the variance of the slopes of a texel").only("view", {"wall", "blends", "far"}));

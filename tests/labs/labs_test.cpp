@@ -200,6 +200,16 @@ TEST_P(EveryLab, HasAHandoutWhoseSentencesWriteSettingsInCode) {
         }
 }
 
+TEST_P(EveryLab, TitlesItsKnobsDifferentlyAndShortEnoughForThePanel) {
+    constexpr size_t longest = 18;  // letters of 8 pixels in half of the panel's 340
+    std::set<std::string> titles;
+    for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot()))) {
+        const std::string title = knob.help.title_of(knob.name);
+        EXPECT_LE(title.size(), longest) << title;
+        EXPECT_TRUE(titles.insert(title).second) << "two knobs have the title " << title;
+    }
+}
+
 TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
     const Counters before = counters();
     describe_knobs(*make_lab(GetParam(), shot()));

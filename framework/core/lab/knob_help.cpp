@@ -1,10 +1,18 @@
 #include "framework/core/lab/knob_help.h"
 
+#include <algorithm>
 #include <cctype>
-#include <string_view>
 #include <utility>
 
 namespace relief {
+namespace {
+
+std::string with_capital(std::string text) {
+    if (!text.empty()) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+}  // namespace
 
 KnobHelp&& KnobHelp::in(const char* name_of_unit) && {
     unit = name_of_unit;
@@ -14,6 +22,18 @@ KnobHelp&& KnobHelp::in(const char* name_of_unit) && {
 KnobHelp&& KnobHelp::only(const char* other_knob, std::vector<std::string> its_values) && {
     knob = other_knob, values = std::move(its_values);
     return std::move(*this);
+}
+
+KnobHelp&& KnobHelp::titled(const char* words) && {
+    title = words;
+    return std::move(*this);
+}
+
+std::string KnobHelp::title_of(std::string_view name) const {
+    if (!title.empty()) return title;
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return with_capital(words);
 }
 
 std::string KnobHelp::condition() const {
@@ -30,9 +50,8 @@ std::string KnobHelp::line() const {
 }
 
 std::string KnobHelp::sentence() const {
-    std::string sentence = line();
+    std::string sentence = with_capital(line());
     if (sentence.empty()) return sentence;
-    sentence[0] = char(std::toupper(static_cast<unsigned char>(sentence[0])));
     if (std::string_view(".!?").find(sentence.back()) == std::string_view::npos) sentence += '.';
     return sentence;
 }

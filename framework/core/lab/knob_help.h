@@ -1,7 +1,8 @@
-// What a knob does: its line of help, its unit, and the values of another knob for which it has an effect.
+// What a knob does: its title, its line of help, its unit, and the values of another knob for which it has an effect.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace relief {
@@ -13,12 +14,18 @@ struct KnobHelp {
     /// The knob has no effect while the knob `knob` has none of `values`. Empty: it always has an effect.
     std::string knob;
     std::vector<std::string> values;
+    std::string title;  ///< see title_of(); empty if the name says enough
 
     KnobHelp(const char* words) : text(words) {}  // a literal is a help
 
     KnobHelp&& in(const char* name_of_unit) &&;
     KnobHelp&& only(const char* other_knob, std::vector<std::string> its_values) &&;
 
+    /// Sets the knob's title in a window, where its name in words is a poor one: "Bits per height" for `bits`.
+    KnobHelp&& titled(const char* words) &&;
+
+    /// Returns the title of a knob of this name. Default: the name in words, "Light yaw" for `light_yaw`.
+    std::string title_of(std::string_view name) const;
     /// Returns "method = steep", or "" if the knob always has an effect.
     std::string condition() const;
     /// Returns "for method = steep: depth of a layer, metres".

@@ -35,7 +35,7 @@ constexpr std::array<Lay, 9> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.group("Surface");
     knobs.choice_or_file("surface", shape, own_, displaced_shapes, "shape with the relief");
-    knobs.choice("corners", corners_choice, corner_counts, "corners of a patch");
+    knobs.choice("corners", corners_choice, corner_counts, KnobHelp("corners of a patch").titled("Patch corners"));
     knobs.steps("patches", density, 1, most_density,
                 "patches along a side, before tessellation; the urn and a file have their own");
     material.knobs(knobs);

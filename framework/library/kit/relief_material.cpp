@@ -91,10 +91,12 @@ Image own_albedo(Image picture, std::vector<std::string>& notes) {
 ReliefMaterial::ReliefMaterial() : own_(own_heights), own_colors_(own_albedo) {}
 
 void ReliefMaterial::knobs(Knobs& knobs) {
-    knobs.choice_or_file("map", map, own_, maps, "the height map");
-    knobs.choice_or_file("colors", colors, own_colors_, color_names, "colours: those of the map");
-    knobs.choice("size", size, sizes, "size of the map, texels; wall and paving have 1024");
-    knobs.choice("bits", bits, bit_counts, "bits per stored height");
+    knobs.choice_or_file("map", map, own_, maps, KnobHelp("the height map").titled("Height map"));
+    knobs.choice_or_file("colors", colors, own_colors_, color_names,
+                         KnobHelp("colours: those of the map").titled("Colours"));
+    knobs.choice("size", size, sizes,
+                 KnobHelp("size of the map, texels; wall and paving have 1024").titled("Map size"));
+    knobs.choice("bits", bits, bit_counts, KnobHelp("bits per stored height").titled("Bits per height"));
 }
 
 bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }

@@ -52,10 +52,11 @@ void ReliefSurface::knobs(Knobs& knobs) {
     knobs.steps("repeat", repeat, 1, 8,
                 "repeats of the tile: per metre of wall, per third of the column, per unit of a file's uv");
     knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile divided by its width: texels that are not square");
-    knobs.slider("extent", extent, 0.25f, 64, KnobHelp("side of the wall").in("metres"));
-    knobs.toggle("mirror", mirror, "mirror the texture: u runs the other way");
+    knobs.slider("extent", extent, 0.25f, 64, KnobHelp("side of the wall").in("metres").titled("Extent of wall"));
+    knobs.toggle("mirror", mirror, KnobHelp("mirror the texture: u runs the other way").titled("Mirror u"));
     knobs.steps("shift", shift, 0, 10000,
-                "offset of the uv, in tiles; all but three whole ones are dropped before the shader");
+                KnobHelp("offset of the uv, in tiles; all but three whole ones are dropped before the shader")
+                    .titled("Shift of uv"));
 }
 
 const ReliefSurface::Shaped& ReliefSurface::shaped() const {

@@ -19,6 +19,12 @@ TEST(KnobHelp, IsALineAndASentence) {
     EXPECT_EQ(only({"map", "rays", "one"}), "for view = map, rays and one: the cut");
 }
 
+TEST(KnobHelp, ATitleIsTheNameInWordsOrAsDeclared) {
+    EXPECT_EQ(KnobHelp("").title_of("texels_per_step"), "Texels per step");
+    EXPECT_EQ(KnobHelp("bits per stored height").titled("Bits per height").in("bits").title_of("bits"),
+              "Bits per height");
+}
+
 TEST(KnobHelp, AUnitFollowsANumberInItsShortForm) {
     EXPECT_EQ(KnobHelp("turn").in("degrees").unit_after_number(), "\u00b0");
     EXPECT_EQ(KnobHelp("side").in("texels").unit_after_number(), " texels");
