@@ -61,17 +61,12 @@ public:
         fmt::print("{}  {}: {} ({})\n", task.id, task.title, check::points_text(task), task.file);
         if (!task.hint.empty()) fmt::print("  look at: {}\n", without_backticks(task.hint));
         hints_.clear();
-        for (size_t i = 0; i < task.checks.size(); ++i) {
-            const check::Verdict& result = task.checks[i];
-            const std::string reason = check::reason_to_wait(result);
-            if (reason.empty()) {
-                print(result, task);
-                continue;
-            }
-            const size_t first = i;
-            while (i + 1 < task.checks.size() && check::reason_to_wait(task.checks[i + 1]) == reason) ++i;
-            const size_t count = i + 1 - first;
-            print_outcome(result.outcome, count == 1 ? result.name : check::count_of_checks(count), reason);
+        for (const check::Verdict& result : task.checks)
+            if (check::reason_to_wait(result).empty()) print(result, task);
+        for (const auto& [reason, checks] : check::waiting_checks(task)) {
+            const check::Verdict& first = task.checks[checks.front()];
+            print_outcome(first.outcome, checks.size() == 1 ? first.name : check::count_of_checks(checks.size()),
+                          reason);
         }
         for (const std::string& demand : task.not_tested) fmt::print("  not tested here: \"{}\"\n", demand);
     }
@@ -152,10 +147,11 @@ int check_own_work(const CheckOptions& options) {
     const Manifest manifest = check::manifest_to_check(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
     become_checker(lab, options);
+    const fs::file_time_type saved = check::last_saved(manifest);
     const auto [tasks, driver] =
         check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits());
 
-    check::keep_points(lab, tasks);
+    check::keep_points(lab, tasks, saved);
     bool all = true;
     Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};

@@ -130,6 +130,25 @@ std::string reason_to_wait(const Verdict& result) {
                : "";
 }
 
+std::vector<WaitingChecks> waiting_checks(std::span<const Verdict* const> results) {
+    std::vector<WaitingChecks> groups;
+    for (size_t i = 0; i < results.size(); ++i) {
+        const std::string reason = results[i] ? reason_to_wait(*results[i]) : "";
+        if (reason.empty()) continue;
+        auto group =
+            std::find_if(groups.begin(), groups.end(), [&](const WaitingChecks& one) { return one.reason == reason; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {reason});
+        group->checks.push_back(i);
+    }
+    return groups;
+}
+
+std::vector<WaitingChecks> waiting_checks(const TaskVerdict& task) {
+    std::vector<const Verdict*> results;
+    for (const Verdict& check : task.checks) results.push_back(&check);
+    return waiting_checks(results);
+}
+
 std::string count_of_checks(size_t count) { return fmt::format("{} check{}", count, count == 1 ? "" : "s"); }
 
 std::string waits_text(const TaskIds& tasks, const char* state) {

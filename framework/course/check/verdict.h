@@ -1,6 +1,7 @@
 // The result of a check, of a task and of a lab: messages for a student, and the points.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,15 @@ std::string points_text(const std::vector<TaskVerdict>& tasks);
 /// Returns why nothing is known about a check: it waits for another task, or a compiler's message keeps it from
 /// drawing. Empty for all others. Reports put these checks behind one line, and the message before all tasks.
 std::string reason_to_wait(const Verdict& result);
+/// Checks of a task that wait for one reason.
+struct WaitingChecks {
+    std::string reason;
+    std::vector<size_t> checks = {};
+};
+/// Groups the checks that have a reason_to_wait() by this reason, in the order of each group's first check. `results`:
+/// one of each check of a task, null for a check that has not run; the groups hold their indices.
+std::vector<WaitingChecks> waiting_checks(std::span<const Verdict* const> results);
+std::vector<WaitingChecks> waiting_checks(const TaskVerdict& task);
 /// "1 check", "5 checks"
 std::string count_of_checks(size_t count);
 

@@ -15,12 +15,6 @@
 namespace relief::pages {
 namespace {
 
-/// Checks of a task that nothing is found out about for one reason.
-struct Blocked {
-    std::string reason;
-    List checks = {};
-};
-
 /// `told` holds the probes of the task whose colours an unfolded check above explains.
 Fields fields_of(const Manifest& manifest, const check::Verdict& result, std::set<std::string>& told) {
     const CheckInfo& check = manifest.check(result.name);
@@ -76,28 +70,28 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                        const std::string& driver) {
     List shown;
     for (const check::TaskVerdict& task : tasks) {
-        List checks;
-        std::vector<Blocked> blocked;
+        List checks, groups;
+        std::vector<Fields> waiting(task.checks.size());
         std::set<std::string> hints, told;  // each once in a task
-        for (const check::Verdict& result : task.checks) {
+        for (size_t i = 0; i < task.checks.size(); ++i) {
+            const check::Verdict& result = task.checks[i];
             Fields fields = fields_of(manifest, result, told);
             const bool is_told =
                 result.outcome >= check::Outcome::wrong && result.outcome != check::Outcome::unfinished;
             const std::string hint = look_at(result);
             const bool is_new = is_told && !hint.empty() && hints.insert(hint).second;
             fields["look_at"] = is_new ? rows(with_code(hint).list) : Value();
-            const std::string reason = check::reason_to_wait(result);
-            if (reason.empty()) {
+            if (check::reason_to_wait(result).empty())
                 checks.push_back(std::move(fields));
-                continue;
-            }
-            if (blocked.empty() || blocked.back().reason != reason) blocked.push_back({reason});
-            blocked.back().checks.push_back(std::move(fields));
+            else
+                waiting[i] = std::move(fields);
         }
-        List groups;
-        for (Blocked& group : blocked)
-            groups.push_back(Fields{{"reason", check::count_of_checks(group.checks.size()) + ": " + group.reason},
-                                    {"checks", std::move(group.checks)}});
+        for (const auto& [reason, indices] : check::waiting_checks(task)) {
+            List folded;
+            for (const size_t i : indices) folded.push_back(std::move(waiting[i]));
+            groups.push_back(Fields{{"reason", check::count_of_checks(indices.size()) + ": " + reason},
+                                    {"checks", std::move(folded)}});
+        }
         List not_tested;
         for (const std::string& demand : task.not_tested) not_tested.push_back(Fields{{"demand", demand}});
         shown.push_back(Fields{{"id", task.id},

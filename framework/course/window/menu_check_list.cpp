@@ -121,24 +121,23 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         ImGui::PopID();
         tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
         if (const std::string hint = checks.hint(task); !hint.empty()) draw_hint(hint);
-        std::vector<std::pair<std::string, std::vector<size_t>>> blocked;  // checks by the reason that they wait for
+        std::vector<size_t> indices;  // of the results
+        std::vector<const check::Verdict*> results;
         for (size_t i = 0; i < manifest.checks.size(); ++i) {
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
             const auto& result = checks.result(i);
-            const std::string reason = result ? check::reason_to_wait(*result) : "";
-            if (reason.empty() || check.name == chosen) {
+            if (result && check.name != chosen && !check::reason_to_wait(*result).empty())
+                indices.push_back(i), results.push_back(&*result);
+            else
                 draw_check(check, result, checks.waits(i), check.name == chosen, wish);
-                continue;
-            }
-            if (blocked.empty() || blocked.back().first != reason) blocked.push_back({reason, {}});
-            blocked.back().second.push_back(i);
         }
-        for (const auto& [reason, waiting] : blocked) {
+        for (const auto& [reason, waiting] : check::waiting_checks(results)) {
             quiet_text(check::count_of_checks(waiting.size()) + ": " + reason);
             if (!ImGui::TreeNode((task.id + reason).c_str(), "show them")) continue;
             for (const size_t i : waiting)
-                draw_check(manifest.checks[i], checks.result(i), checks.waits(i), false, wish);
+                draw_check(manifest.checks[indices[i]], checks.result(indices[i]), checks.waits(indices[i]), false,
+                           wish);
             ImGui::TreePop();
         }
     }

@@ -26,6 +26,7 @@ void Checks::open(const LabEntry& lab, const Manifest& manifest) {
     waiting_.assign(manifest_.checks.size(), true);
     ++version_;
     seen_ = last_look_ = files(lab, manifest_);
+    saved_ = check::last_saved(manifest_);
     to_build_.clear();
 }
 
@@ -51,6 +52,7 @@ bool Checks::look() {
     for (const auto& [file, time] : last_look_)
         if (file.extension() == ".cpp" && seen_[file] != time) to_build_ = shown(file);
     seen_ = last_look_;
+    saved_ = check::last_saved(manifest_);
     checker_.emplace(*lab_, manifest_);  // it has cached the lab's old shaders
     waiting_.assign(manifest_.checks.size(), true);
     hints_.clear();
@@ -104,7 +106,7 @@ void Checks::run_next(const std::string& first) {
         print_event(fmt::format("task {}, look at: {}", task.id, without_backticks(task.hint)));
         hints_[task.id] = std::move(task.hint);
     }
-    check::keep_points(*lab_, tasks());
+    check::keep_points(*lab_, tasks(), saved_);
     print_event("checks: " + points());
 }
 

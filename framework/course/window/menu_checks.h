@@ -78,6 +78,7 @@ private:
     std::map<std::string, std::string> hints_;  ///< of known mistakes, by task
     int version_ = 0;
     Files seen_, last_look_;
+    std::filesystem::file_time_type saved_;  ///< check::last_saved() before the checks that run started
     std::string to_build_;
 };
 

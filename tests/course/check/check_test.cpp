@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
 
+#include "framework/core/base/paths.h"
 #include "framework/course/check/hidden_checks.h"
+#include "framework/course/check/last_points.h"
+#include "tests/support.h"
 
 namespace relief::check {
 namespace {
@@ -144,6 +149,50 @@ TEST(PointsText, GivesTheRangeThatChecksLeaveOpenWhileTheyWait) {
     EXPECT_EQ(points_text(task), "0 to 3 of 3 points: 3 wait for 1.1 and 1.3");
     EXPECT_EQ(points_text({task, {.id = "1.3", .title = {}, .file = {}, .of = 2, .checks = {right, wrong}}}),
               "1 to 4 of 5 points");
+}
+
+TEST(WaitingChecks, AreGroupedByTheirReasonWhereverTheyStand) {
+    const auto waits = [](const char* found) { return Verdict{.outcome = Outcome::waiting, .found = found}; };
+    const Verdict a = waits("waits for task 1.1, which is not written yet"),
+                  b = waits("waits for task 1.2, which is not right yet"),
+                  unseen{.outcome = Outcome::broken, .found = "1.glsl:2: error", .details = "the line"};
+    const TaskVerdict task{
+        .id = "1.3", .title = {}, .file = {}, .of = 3, .checks = {a, right, b, unseen, a, wrong, unseen, b}};
+    const std::vector<WaitingChecks> groups = waiting_checks(task);
+    ASSERT_EQ(groups.size(), 3u);
+    EXPECT_EQ(groups[0].checks, (std::vector<size_t>{0, 4}));
+    EXPECT_EQ(groups[1].checks, (std::vector<size_t>{2, 7}));
+    EXPECT_EQ(groups[2].checks, (std::vector<size_t>{3, 6}));
+    EXPECT_EQ(groups[0].reason, reason_to_wait(a));
+    const Verdict* const results[] = {nullptr, &b, nullptr};
+    ASSERT_EQ(waiting_checks(results).size(), 1u);
+    EXPECT_EQ(waiting_checks(results)[0].checks, std::vector<size_t>{1});
+}
+
+TEST(LastPoints, AreGoneOnceATaskIsSavedAfterItsChecksHaveStarted) {
+    const TemporaryFolder course;
+    std::filesystem::create_directories(course.path() / "labs");
+    const std::filesystem::path file = course.write("shaders/01_a/task.glsl", "");
+    const CourseElsewhere elsewhere(course.path());
+    LabEntry lab{};
+    lab.folder = "01_a";
+    Manifest manifest;
+    manifest.tasks.push_back({.id = "1.1", .title = {}, .file = "shaders/01_a/task.glsl"});
+    const std::vector<TaskVerdict> tasks = {{.id = "1.1", .title = {}, .file = {}, .of = 3, .checks = {right, wrong}}};
+    EXPECT_EQ(last_points(lab, manifest), std::nullopt) << "no checks have run";
+    const auto now = std::filesystem::last_write_time(file);
+    // Saved an hour ago, checked, and saved while the checks ran: before their points were kept.
+    std::filesystem::last_write_time(file, now - std::chrono::hours(1));
+    const auto saved = last_saved(manifest);
+    keep_points(lab, tasks, saved);
+    EXPECT_EQ(last_points(lab, manifest), "1.5");
+    std::filesystem::last_write_time(file, now - std::chrono::minutes(1));
+    keep_points(lab, tasks, saved);
+    EXPECT_EQ(last_points(lab, manifest), std::nullopt);
+    keep_points(lab, tasks, last_saved(manifest));
+    EXPECT_EQ(last_points(lab, manifest), "1.5");
+    std::filesystem::remove(file);
+    EXPECT_EQ(last_points(lab, manifest), std::nullopt);
 }
 
 TEST(PointsText, CountsOptionalTasksApart) {
