@@ -36,8 +36,8 @@ public:
         const LabEntry* const edited = found == labs.end() ? StartPage::last_edited() : nullptr;
         open(found != labs.end() ? *found : edited ? *edited : labs.front(), start.shot ? &*start.shot : nullptr);
         MenuWish wish;
-        if (found == labs.end()) wish.ask(MenuAction::open_labs);
-        if (start.error_map) wish.ask(MenuAction::toggle_error_map);
+        if (found == labs.end()) wish.ask(WindowAction::open_labs);
+        if (start.error_map) wish.ask(LabAction::toggle_error_map);
         if (!start.check.empty()) wish.check = start.check;
         act(wish);
     }
@@ -96,6 +96,7 @@ private:
     }
     void open_start_page() {
         if (registry().size() < 2) return;
+        lab_.leave_parts();
         start_.open(lab_.stage().entry());
         glfwSetWindowTitle(window_.handle(), "Relief: all labs");
     }
@@ -129,6 +130,8 @@ private:
         }
         search_.draw(scale_, lab_.stage(), lab_.checks(), wish);
         draw_help(start_.is_open() ? Box{{0, 0}, window} : lab_.picture(), scale_, is_help_open_);
+        had_list_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+        was_active_ = ImGui::IsAnyItemActive();
         imgui_.end_frame();
         if (wish.is_empty()) return more;
         act(wish);
@@ -139,9 +142,10 @@ private:
     MenuWish pressed() {
         OpenParts open{.typing = ImGui::GetIO().WantTextInput,
                        .search = search_.is_open(),
-                       .list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+                       .list = had_list_,
                        .help = is_help_open_,
-                       .labs = start_.is_open()};
+                       .labs = start_.is_open(),
+                       .active = was_active_};
         lab_.add_open_parts(open);
         MenuWish wish;
         for (const unsigned character : window_.take_characters()) add_character(character, open, wish);
@@ -151,74 +155,81 @@ private:
 
     void act(const MenuWish& wish) {
         if (start_.is_open()) start_.move(wish.columns, wish.rows);
-        for (const MenuAction action : wish.actions) act(action);
+        for (const MenuAction& action : wish.actions)
+            if (const auto* const mine = std::get_if<WindowAction>(&action)) act(*mine);
         if (wish.lab && !(start_.is_open() && wish.lab == &lab_.stage().entry())) open(*wish.lab);
         // A lab that is open keeps its settings.
-        if (start_.is_open() && (wish.lab || wish.check || !wish.probe.empty() || !wish.knob.empty()))
+        if (start_.is_open() &&
+            (wish.lab || wish.check || !wish.probe.empty() || !wish.knob.empty() || !wish.document.empty()))
             close_start_page();
         lab_.act(wish);
     }
 
-    void act(MenuAction action) {
+    void act(WindowAction action) {
         constexpr float step_of_zoom = 1.125f;
         switch (action) {
-            case MenuAction::toggle_help:
+            case WindowAction::toggle_help:
                 is_help_open_ = !is_help_open_;
                 break;
-            case MenuAction::open_search:
+            case WindowAction::open_search:
+                lab_.leave_parts();  // the search has a mark of its own
                 search_.open();
                 break;
-            case MenuAction::close_search:
+            case WindowAction::close_search:
                 search_.close();
                 break;
-            case MenuAction::close_list:
+            case WindowAction::close_list:
                 ImGui::SetWindowFocus(nullptr);  // closes any open list
                 break;
-            case MenuAction::open_labs:
+            case WindowAction::open_labs:
                 open_start_page();
                 break;
-            case MenuAction::close_labs:
+            case WindowAction::close_labs:
                 close_start_page();
                 break;
-            case MenuAction::choose_lab:
+            case WindowAction::choose_lab:
                 if (&start_.marked() != &lab_.stage().entry()) open(start_.marked());
                 close_start_page();
                 break;
-            case MenuAction::next_lab:
+            case WindowAction::next_lab:
                 step(1);
                 break;
-            case MenuAction::previous_lab:
+            case WindowAction::previous_lab:
                 step(-1);
                 break;
-            case MenuAction::reset_lab:
+            case WindowAction::reset_lab:
                 open(lab_.stage().entry());
                 break;
-            case MenuAction::larger:
-                zoom_ = std::min(zoom_ * step_of_zoom, 4.0f);
+            case WindowAction::larger:
+                zoom(zoom_ * step_of_zoom);
                 break;
-            case MenuAction::smaller:
-                zoom_ = std::max(zoom_ / step_of_zoom, 0.5f);
+            case WindowAction::smaller:
+                zoom(zoom_ / step_of_zoom);
                 break;
-            case MenuAction::usual_size:
-                zoom_ = 1;
+            case WindowAction::usual_size:
+                zoom(1);
                 break;
-            case MenuAction::quit:
+            case WindowAction::quit:
                 glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
                 break;
-            default:
-                break;  // of the lab
         }
+    }
+    void zoom(float factor) {
+        zoom_ = std::clamp(factor, 0.5f, 4.0f);
         if (std::abs(zoom_ - 1) < 0.01f) zoom_ = 1;
+        keep_zoom(zoom_);
     }
 
     GlfwWindow window_{{1280, 800}, "Relief", true};
     const float display_scale_ = scale_of(window_.handle());
-    float zoom_ = 1, scale_ = display_scale_;  ///< `zoom_`: set by Ctrl and +/-; `scale_`: zoom times display scale
+    float zoom_ = kept_zoom();  ///< set by Ctrl and +/-
+    float scale_ = display_scale_ * zoom_;
     ImGuiSession imgui_{window_.handle(), scale_};
     LabView lab_;
     StartPage start_;
     Search search_;
     bool is_help_open_ = false;
+    bool had_list_ = false, was_active_ = false;  ///< in the last frame: Dear ImGui sees Escape before pressed() does
     double looked_ = 0;
     int64_t shown_ = 0, told_ = 0;  ///< frames of the menu so far; at the last --verbose message
 };

@@ -48,7 +48,7 @@ void Brush::draw(Stage& stage, MenuWish& wish) {
     if (ImGui::Button("Undo") && !undo(stage)) wish.message = "no stroke to take back";
     tooltip("Takes the last stroke back (Ctrl+Z, while the brush is on).");
     ImGui::SameLine();
-    if (ImGui::Button("Save heights")) wish.ask(MenuAction::save_heights);
+    if (ImGui::Button("Save heights")) wish.ask(LabAction::save_heights);
     tooltip("Saves the heights, as PNG of 16 bits, under a new name (N). --set source=FILE shows them again.");
     ImGui::Dummy({0, 6});
 }

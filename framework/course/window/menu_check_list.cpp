@@ -102,7 +102,8 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         quiet_text("This lab has no checks.");
         return;
     }
-    quiet_text(checks.pending() ? "Checking ..." : "Choose a check to see yours, the expected picture and the error.");
+    quiet_text(checks.pending() ? fmt::format("Checking {} ...", checks.progress())
+                                : "Choose a check to see yours, the expected picture and the error.");
     if (!checks.to_build().empty())
         colored_text(amber, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
                                         checks.to_build(), checks.lab().two_digits()));

@@ -77,7 +77,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     wrapped(fmt::format("Check {}: {}", found->task, found->name));
     ImGui::PopFont();
     if (!result)
-        quiet_text("This check has not been run yet.");
+        quiet_text(fmt::format("Checking {} ...", checks.progress()));
     else
         colored_text(result->outcome == check::Outcome::passed ? good
                      : result->outcome <= check::Outcome::waiting || result->outcome == check::Outcome::unfinished

@@ -110,9 +110,8 @@ void Checks::run_next(const std::string& first) {
     print_event("checks: " + points());
 }
 
-size_t Checks::count() const {
-    return size_t(
-        std::count_if(results_.begin(), results_.end(), [](const auto& result) { return result.has_value(); }));
+std::string Checks::progress() const {
+    return fmt::format("{} of {}", std::count(waiting_.begin(), waiting_.end(), false), waiting_.size());
 }
 
 TaskState Checks::state(const TaskInfo& task) const {
@@ -151,11 +150,6 @@ std::vector<check::TaskVerdict> Checks::tasks() const {
 }
 
 std::string Checks::points() const { return check::points_text(tasks()); }
-
-double Checks::share() const {
-    const check::PointSum sum = check::sum_of(tasks());
-    return sum.of > 0 ? sum.points / sum.of : 0;
-}
 
 std::string Checks::hint(const TaskInfo& task) const {
     const auto found = hints_.find(task.id);

@@ -47,17 +47,14 @@ public:
     const std::optional<check::Verdict>& result(size_t check) const { return results_[check]; }
     /// Returns whether the check has yet to run, so that result() is out of date.
     bool waits(size_t check) const { return waiting_[check]; }
-    /// Returns the number of checks with a result.
-    size_t count() const;
-    bool is_whole() const { return count() == results_.size(); }
+    /// Returns how many checks are up to date: "3 of 12".
+    std::string progress() const;
     TaskState state(const TaskInfo& task) const;
     /// Its checks without their pictures; one that has not run yet is unfinished.
     check::TaskVerdict of(const TaskInfo& task) const;
     std::vector<check::TaskVerdict> tasks() const;
     /// Returns the points of the lab, as `relief check` prints them.
     std::string points() const;
-    /// The earned points as a share of all, 0 to 1. 0 if the lab has no points.
-    double share() const;
     /// Returns the hint of the known mistake that the task's pictures show. Empty if none is known, or if some checks
     /// have not run.
     std::string hint(const TaskInfo& task) const;

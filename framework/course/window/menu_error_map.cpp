@@ -15,6 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/course/pages/method_comparison.h"
 #include "framework/course/window/menu_imgui.h"
+#include "framework/course/window/menu_present.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_words.h"
@@ -298,7 +299,10 @@ void ErrorMap::compare(Stage& stage, const Work& work) {
                             plain(error_.largest), error_.count));
 }
 
-std::vector<Box> ErrorMap::draw(const Box& box) const {
+std::vector<Box> ErrorMap::draw(const Box& box, bool moves) const {
+    if (on_ && !done_)
+        draw_note(box, moves ? "the error map needs a paused animation: press space" : "computing the exact values ...",
+                  true);
     if (!on_ || !picture_) return {};
     const ImVec2 low{float(box.at.x), float(box.at.y)}, high{float(box.right()), float(box.bottom())};
     // Row 0 of a texture is the bottom.
@@ -314,7 +318,7 @@ std::vector<Box> ErrorMap::draw(const Box& box) const {
     return draw_words(std::move(means), box, 0, box.size.x + 1);
 }
 
-void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves) const {
+void ErrorMap::draw_legend(const Box& box, const std::string& probe) const {
     if (box.size.y == 0) return;
     begin_in(box, "error map", ImGui::GetStyle().WindowPadding, true);
     if (ImGui::BeginTable("halves", 2, ImGuiTableFlags_SizingStretchSame)) {
@@ -327,10 +331,7 @@ void ErrorMap::draw_legend(const Box& box, const std::string& probe, bool moves)
         push_font(font(FontRole::bold));
         wrapped(picture_ ? fmt::format("Right: the error of {}", compared_->probe.name) : "Right: the error map");
         ImGui::PopFont();
-        if (!done_)
-            quiet_text(moves ? "The error map needs a paused animation: press space."
-                             : "computing the exact values ...");
-        else if (!picture_)
+        if (!picture_)
             wrapped(message_);
         else if (error_.count > 0 && error_.largest == 0)
             wrapped("None: every pixel has the exact value.");

@@ -55,10 +55,11 @@ public:
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it, and the mean of each tile. Returns the places of these numbers in the window.
-    std::vector<Box> draw(const Box& box) const;
-    /// Draws a caption below both halves. With `moves` the picture is animated, so there is no map.
-    void draw_legend(const Box& box, const std::string& probe, bool moves) const;
+    /// Draws it, and the mean of each tile; without a map, what it waits for: with `moves` the picture is animated.
+    /// Returns the places of the numbers in the window.
+    std::vector<Box> draw(const Box& box, bool moves) const;
+    /// Draws a caption below both halves.
+    void draw_legend(const Box& box, const std::string& probe) const;
 
 private:
     struct Work;

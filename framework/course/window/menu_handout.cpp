@@ -78,15 +78,18 @@ pages::Spans in_bold(pages::Spans spans) {
 
 }  // namespace
 
-void Handout::open(const LabEntry& lab) {
+void Handout::open(const LabEntry& lab) { open(std::filesystem::path("labs") / lab.folder / "README.md", ""); }
+
+void Handout::open(const std::filesystem::path& document, const std::string& passage) {
     close();
+    passage_ = passage, seek_ = !passage.empty();
     open_ = to_top_ = true;
     try {
         sources_ = pages::load_sources();
     } catch (const Error&) {
         sources_.clear();  // then the list of sources names what is missing
     }
-    file_ = course_root() / "labs" / lab.folder / "README.md";
+    file_ = course_root() / document;
     look();
 }
 
@@ -101,8 +104,7 @@ bool Handout::look() {
     const std::string text_before = text_, problem_before = problem_;
     try {
         std::error_code ignored;
-        if (!std::filesystem::exists(file_, ignored))
-            throw Error("This lab has no handout: there is no " + shown(file_) + ".");
+        if (!std::filesystem::exists(file_, ignored)) throw Error("There is no handout: no file " + shown(file_) + ".");
         text_ = pages::with_sources(read_file(file_, size_t{1} << 20), sources_, file_);
         problem_.clear();
     } catch (const Error& error) {
@@ -177,6 +179,7 @@ void Handout::draw_block(const pages::Block& block, float width) {
     switch (block.kind) {
         case pages::BlockKind::heading:
             space(em * 0.4f);
+            mark(block.spans, ImGui::GetCursorScreenPos(), width, 1.9f * em);
             set_spans(block.level > 2 ? in_bold(block.spans) : block.spans, width,
                       block.level > 2 ? FontRole::text : FontRole::title);
             break;
@@ -229,6 +232,13 @@ void Handout::draw_block(const pages::Block& block, float width) {
     }
 }
 
+void Handout::mark(const pages::Spans& passage, ImVec2 top, float width, float height) {
+    if (passage_.empty() || pages::plain_text(passage) != passage_) return;
+    if (std::exchange(seek_, false)) ImGui::SetScrollFromPosY(top.y - ImGui::GetWindowPos().y, 0.2f);
+    ImGui::GetWindowDrawList()->AddRectFilled({top.x - 6, top.y - 2}, {top.x + width, top.y + height},
+                                              IM_COL32(230, 138, 92, 70), 4);
+}
+
 void Handout::draw_table(const pages::Block& block, float width) {
     const float em = size_of(*font(FontRole::text));
     const size_t columns = block.rows.front().size();
@@ -261,6 +271,7 @@ void Handout::draw_table(const pages::Block& block, float width) {
             height = std::max(height, layout.height());
             x += widths[column] + 2 * padding;
         }
+        mark(block.rows[row].front(), {corner.x, y}, whole, height + padding);
         y += height + padding;
         list.AddLine({corner.x, y}, {corner.x + whole, y}, line_color, row == 0 ? 2 : 1);
     }

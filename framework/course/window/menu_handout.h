@@ -1,4 +1,4 @@
-// A lab's handout, its README.md, beside the picture. In the window module only.
+// A lab's handout, its README.md, or another document of the course, beside the picture. In the window module only.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +23,9 @@ class Handout {
 public:
     bool is_open() const { return open_; }
     void open(const LabEntry& lab);
+    /// Opens a document below the course's root at a heading, or at the row of a table that begins with a word, and
+    /// marks it.
+    void open(const std::filesystem::path& document, const std::string& passage);
     void close();
 
     /// Reads the file again and returns whether it changed. Call it a few times a second.
@@ -35,6 +38,8 @@ public:
 
 private:
     void draw_block(const pages::Block& block, float width);
+    /// Scrolls to a passage that was asked for, and draws a band over its `height` below `top`.
+    void mark(const pages::Spans& passage, ImVec2 top, float width, float height);
     void draw_table(const pages::Block& block, float width);
     void draw_picture(const pages::Span& image, float width);
     /// Returns the spans with each knob name made a link.
@@ -46,6 +51,8 @@ private:
     float scroll_ = 0;
     std::filesystem::path file_;
     std::string text_, problem_;
+    std::string passage_;  ///< to mark; empty for none
+    bool seek_ = false;    ///< scroll to it
     std::vector<pages::Source> sources_;
     std::vector<pages::Block> blocks_;
     std::map<const pages::Block*, std::vector<std::vector<pages::FormulaCell>>> formulas_;  ///< of formula blocks

@@ -56,10 +56,7 @@ float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 
 void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
     const auto& tasks = checks.manifest().tasks;
     if (tasks.empty()) return;
-    // The sum is unknown until every check has run once.
-    const std::string points = checks.is_whole()
-                                   ? checks.points()
-                                   : fmt::format("checked {} of {}", checks.count(), checks.manifest().checks.size());
+    const std::string points = checks.pending() ? "checking " + checks.progress() : checks.points();
     float width = ImGui::CalcTextSize(points.c_str()).x + ImGui::GetStyle().ItemSpacing.x * 2;
     std::vector<std::string> lines;
     for (const TaskInfo& task : tasks) {
@@ -73,7 +70,7 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
         ImGui::TextColored(sign.color, "%s", lines[i].c_str());
         tooltip(fmt::format("Task {}, {}, {}: {}. A click opens its checks.", tasks[i].id, tasks[i].title, sign.help,
                             check::points_text(checks.of(tasks[i]))));
-        if (ImGui::IsItemClicked()) wish.ask(MenuAction::show_tasks);
+        if (ImGui::IsItemClicked()) wish.ask(LabAction::show_tasks);
         ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 1.5f);
     }
     if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(points.c_str()).x < right) {
@@ -81,7 +78,7 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
         tooltip(
             "The points of this lab's public checks, as relief check gives them. They run again when a file is "
             "saved.");
-        if (ImGui::IsItemClicked()) wish.ask(MenuAction::show_tasks);
+        if (ImGui::IsItemClicked()) wish.ask(LabAction::show_tasks);
         ImGui::SameLine();
     }
 }
@@ -107,11 +104,11 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     begin_in(box, "header", {14 * scale, 8 * scale}, false);
 
     if (registry().size() > 1) {
-        if (ImGui::Button("Labs")) wish.ask(MenuAction::open_labs);
+        if (ImGui::Button("Labs")) wish.ask(WindowAction::open_labs);
         tooltip("All labs, with a picture and the points of each (Home).");
         ImGui::SameLine();
     }
-    if (ImGui::ArrowButton("before", ImGuiDir_Left)) wish.ask(MenuAction::previous_lab);
+    if (ImGui::ArrowButton("before", ImGuiDir_Left)) wish.ask(WindowAction::previous_lab);
     tooltip("The lab before (left, Page Up).");
     ImGui::SameLine(0, 4 * scale);
     ImGui::SetNextItemWidth(std::min(260 * scale, float(box.size.x) * 0.3f));
@@ -124,7 +121,7 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     for (const std::string& line : stage.manifest().learns) learns += "\n\u2022 " + line;
     if (!stage.manifest().learns.empty() && !ImGui::IsItemActive()) tooltip(learns);
     ImGui::SameLine(0, 4 * scale);
-    if (ImGui::ArrowButton("next", ImGuiDir_Right)) wish.ask(MenuAction::next_lab);
+    if (ImGui::ArrowButton("next", ImGuiDir_Right)) wish.ask(WindowAction::next_lab);
     tooltip("The next lab (right, Page Down).");
 
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -143,13 +140,15 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     ImGui::TextColored(shaders.color, "%s", state.c_str());
     tooltip(shaders.help);
     ImGui::SameLine(right + spacing / 2);
-    if (ImGui::Button("Handout")) wish.ask(MenuAction::toggle_handout);
+    if (ImGui::Button("Handout")) wish.ask(LabAction::toggle_handout);
     tooltip("The lab's handout, beside the picture (F1).");
     ImGui::SameLine();
-    if (ImGui::Button("Search")) wish.ask(MenuAction::open_search);
-    tooltip("Finds a lab, or a knob, a probe or a check of any lab, by a part of its name (Ctrl+F, /).");
+    if (ImGui::Button("Search")) wish.ask(WindowAction::open_search);
+    tooltip(
+        "Finds a lab, a knob or one of its values, a probe, a check, a heading of a handout or a word of the glossary "
+        "(Ctrl+F, /).");
     ImGui::SameLine();
-    if (ImGui::Button("?")) wish.ask(MenuAction::toggle_help);
+    if (ImGui::Button("?")) wish.ask(WindowAction::toggle_help);
     tooltip("All keys (?).");
     ImGui::End();
 }

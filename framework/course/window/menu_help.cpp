@@ -32,9 +32,10 @@ constexpr Line looks[] = {{"click", "hold the values of the pixel under the mous
                           {"H", "the picture alone, without header, panel and status"}};
 constexpr Line places[] = {{"Home", "all labs, with a picture and the points of each"},
                            {"left, right", "the lab before, the next lab"},
-                           {"Ctrl+F, /", "search labs, knobs, probes and checks"},
+                           {"Ctrl+F, /", "search labs, knobs and their values, probes, checks, headings and words"},
+                           {"F6", "give the keys to the panel, then to the header: arrows, space, Enter; Esc: back"},
                            {"F1", "handout; up, down, Page Up and Page Down scroll it"},
-                           {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: the usual size"},
+                           {"Ctrl +, Ctrl -", "larger, smaller, also at the next start; Ctrl+0: the usual size"},
                            {"Ctrl+E", "the line of a shader's error in your editor"},
                            {"?", "these keys"},
                            {"Esc", "close what is open"},

@@ -26,6 +26,15 @@ constexpr ImGuiKey keypad_enter = ImGuiKey_KeyPadEnter;
 inline bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 #endif
 
+/// Begins a child window whose items keys reach from its parent. ImGui::EndChild() ends it.
+inline void begin_reachable_child(const char* name) {
+#if IMGUI_VERSION_NUM >= 19090
+    ImGui::BeginChild(name, {0, 0}, ImGuiChildFlags_NavFlattened);
+#else
+    ImGui::BeginChild(name, {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+#endif
+}
+
 // From 1.92 on, a font has glyphs of every size. The window uses the size with which it loads each font.
 #if IMGUI_VERSION_NUM >= 19200
 

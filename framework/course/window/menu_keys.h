@@ -10,6 +10,8 @@ namespace relief::window {
 struct OpenParts {
     bool typing = false;  ///< in a text field
     bool search = false, list = false, help = false, labs = false;
+    bool part = false;    ///< a part of the window has the keys: arrows, space and the like move through it
+    bool active = false;  ///< a slider or a field is being changed
     bool explanation = false, check = false, brush = false, wipe = false, motion = false, handout = false;
 };
 

@@ -50,7 +50,7 @@ public:
             open_ = find.found;
         }
         for (const KnobText& knob : knobs_)
-            label_width_ = std::max(label_width_, ImGui::CalcTextSize(knob.name.c_str()).x);
+            label_width_ = std::max(label_width_, ImGui::CalcTextSize(knob.help.title_of(knob.name).c_str()).x);
         const float room = ImGui::GetContentRegionAvail().x;
         label_width_ = std::min(label_width_ + ImGui::GetStyle().ItemSpacing.x, room * 0.5f);
         widget_end_ = room - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x;
@@ -127,7 +127,10 @@ private:
         ImGui::BeginDisabled(ignored);
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, motion_.slider() == name ? accent : quiet);
-        ImGui::TextUnformatted(name);
+        const float column = ImGui::GetCursorScreenPos().x + label_width_ - ImGui::GetStyle().ItemSpacing.x;
+        ImGui::PushClipRect(at, {column, at.y + ImGui::GetFrameHeight()}, true);  // in a narrow panel
+        text(help.title_of(name));
+        ImGui::PopClipRect();
         ImGui::PopStyleColor();
         tooltip(note);
         const float left = ImGui::GetCursorStartPos().x;
@@ -142,7 +145,8 @@ private:
     std::string note_on(const char* name, const KnobHelp& help, bool ignored) const {
         std::string note = help.sentence();
         for (const KnobText& knob : knobs_)
-            if (knob.name == name) note += fmt::format("\n{}; {} at first.", knob.range, default_of(name));
+            if (knob.name == name)
+                note += fmt::format("\n--set {}: {}; {} at first.", name, knob.range, default_of(name));
         if (motion_.slider() == name) note += "\nIt runs. A right click stops it.";
         if (ignored) note += "\nIt changes nothing as the knobs are now.";
         return note;

@@ -96,7 +96,54 @@ bool LabView::has_check_to_run() const {
            glfwGetTime() - opened_ >= still_for;
 }
 
+std::vector<std::string> LabView::parts_with_keys() const {
+    std::vector<std::string> parts;
+    if (!is_panel_hidden_) parts = {"panel", "header"};
+    if (check_view_.is_open())
+        parts.emplace_back("check");
+    else if (stage_.error())
+        parts.emplace_back("error");
+    return parts;
+}
+
+// Dear ImGui moves through the part only then: at other times its keys are the lab's.
+void LabView::take_next_part() {
+    const std::vector<std::string> parts = parts_with_keys();
+    const auto now = std::find(parts.begin(), parts.end(), part_);
+    const auto next = now == parts.end() ? parts.begin() : now + 1;
+    if (next == parts.end()) return leave_parts();
+    part_ = *next;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::SetWindowFocus(part_.c_str());
+    print_event("keys: " + part_);
+}
+
+void LabView::leave_parts() {
+    if (part_.empty()) return;
+    let_go_of_keys();
+    ImGui::SetWindowFocus(nullptr);
+}
+
+void LabView::let_go_of_keys() {
+    part_.clear();
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    print_event("keys: the lab");
+}
+
+/// Leaves a part that has gone, or that the mouse has left. Frames the others.
+void LabView::draw_part_frame(const Layout& layout, float scale) {
+    if (part_.empty()) return;
+    const std::vector<std::string> parts = parts_with_keys();
+    if (std::find(parts.begin(), parts.end(), part_) == parts.end()) return leave_parts();
+    if (ImGui::IsMouseClicked(0)) return let_go_of_keys();  // what was clicked keeps the focus
+    const Box& box = part_ == "panel" ? layout.panel : part_ == "header" ? layout.header : layout.picture;
+    ImGui::GetForegroundDrawList()->AddRect({float(box.at.x) + scale, float(box.at.y) + scale},
+                                            {float(box.right()) - scale, float(box.bottom()) - scale},
+                                            ImGui::ColorConvertFloat4ToU32(accent), 0, 0, 2 * scale);
+}
+
 void LabView::add_open_parts(OpenParts& open) const {
+    open.part = !part_.empty();
     open.explanation = explanation_.is_open();
     open.check = check_view_.is_open();
     open.brush = brush_.is_on();
@@ -107,80 +154,86 @@ void LabView::add_open_parts(OpenParts& open) const {
 
 void LabView::act(const MenuWish& wish) {
     if (!wish.message.empty()) message_ = wish.message;
-    for (const MenuAction action : wish.actions) act(action);
+    for (const MenuAction& action : wish.actions)
+        if (const auto* const mine = std::get_if<LabAction>(&action)) act(*mine);
     handout_.scroll(wish.scroll);
     if (wish.check) show_check(*wish.check);
     if (!wish.probe.empty()) stage_.show({wish.probe});
     if (!wish.value.empty()) set(wish.knob, wish.value);
     if (!wish.edit.file.empty()) message_ = open_in_editor(wish.edit);
     if (!wish.knob.empty()) is_panel_hidden_ = false, panel_.seek(wish.knob);
+    if (!wish.document.empty()) handout_.open(wish.document, wish.passage);
 }
 
-void LabView::act(MenuAction action) {
+void LabView::act(LabAction action) {
     switch (action) {
-        case MenuAction::reset_camera:
+        case LabAction::next_part:
+            take_next_part();
+            break;
+        case LabAction::leave_parts:
+            leave_parts();
+            break;
+        case LabAction::reset_camera:
             stage_.camera() = stage_.manifest().camera, stage_.changed();
             break;
-        case MenuAction::turn_camera:
+        case LabAction::turn_camera:
             motion_.toggle_camera();
             if (clock_.is_paused()) clock_.toggle();
             break;
-        case MenuAction::stop_motion:
+        case LabAction::stop_motion:
             motion_.stop();
             break;
-        case MenuAction::pause:
+        case LabAction::pause:
             clock_.toggle();
             break;
-        case MenuAction::undo:
-        case MenuAction::redo:
-            undo(action == MenuAction::redo);
+        case LabAction::undo:
+        case LabAction::redo:
+            undo(action == LabAction::redo);
             break;
-        case MenuAction::explain_pixel:
+        case LabAction::explain_pixel:
             explain_pixel();
             break;
-        case MenuAction::close_explanation:
+        case LabAction::close_explanation:
             explanation_.close();
             break;
-        case MenuAction::close_check:
+        case LabAction::close_check:
             check_view_.close();
             break;
-        case MenuAction::show_tasks:
+        case LabAction::show_tasks:
             panel_.show_checks();
             break;
-        case MenuAction::toggle_panel:
+        case LabAction::toggle_panel:
             is_panel_hidden_ = !is_panel_hidden_;
             break;
-        case MenuAction::toggle_handout:
+        case LabAction::toggle_handout:
             handout_.is_open() ? handout_.close() : handout_.open(stage_.entry());
             break;
-        case MenuAction::toggle_error_map:
+        case LabAction::toggle_error_map:
             error_map_.toggle();
             break;
-        case MenuAction::toggle_brush:
+        case LabAction::toggle_brush:
             if (!brush_.toggle(stage_)) message_ = "this lab has no heights to paint";
             check_view_.close();
             break;
-        case MenuAction::toggle_wipe:
+        case LabAction::toggle_wipe:
             toggle_wipe();
             break;
-        case MenuAction::swap_wipe:
+        case LabAction::swap_wipe:
             wipe_.swap(stage_);
             break;
-        case MenuAction::save_picture:
+        case LabAction::save_picture:
             message_ = save_picture(stage_);
             break;
-        case MenuAction::save_map:
+        case LabAction::save_map:
             message_ = save_map(stage_);
             break;
-        case MenuAction::save_heights:
+        case LabAction::save_heights:
             message_ = save_heights(stage_);
             break;
-        case MenuAction::edit_error:
+        case LabAction::edit_error:
             if (const Error* const error = stage_.error(); error && !error->place().file.empty())
                 message_ = open_in_editor(error->place());
             break;
-        default:
-            break;  // of the window
     }
 }
 
@@ -222,7 +275,7 @@ int LabView::draw(glm::ivec2 window, float scale, bool is_dragged, MenuWish& wis
     draw_parts(layout, scale, wish);
     if (!moves() && !is_dragged && !ImGui::IsAnyItemActive()) history_.note(stage_);
     const int more = check_view_.is_open() ? 0 : draw_picture(room(), scale);
-    error_map_.draw_legend(layout.legend, stage_.probe().name, moves());
+    error_map_.draw_legend(layout.legend, stage_.probe().name);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window.x, window.y);
     glClearColor(0.08f, 0.085f, 0.10f, 1);
@@ -246,6 +299,7 @@ void LabView::draw_parts(const Layout& layout, float scale, MenuWish& wish) {
     check_view_.draw(picture_, scale, checks_, wish);
     explanation_.draw(picture_, scale);
     if (!check_view_.is_open()) error_box_.draw(picture_, scale, stage_, wish);
+    draw_part_frame(layout, scale);
 }
 
 /// Draws the lab if its picture is out of date, and describes what stands over the picture. Returns how many more
@@ -269,7 +323,7 @@ int LabView::draw_picture(glm::ivec2 room, float scale) {
     if (held > 0) draw_words(wipe_.words(), picture, 0, held);
     if (stage_.framebuffer()) draw_words(stage_.words(), picture, held, room.x + 1);
     wipe_.draw_border(picture, scale, stage_);
-    const std::vector<Box> means = error_map_.draw({{picture.right(), picture.at.y}, room});
+    const std::vector<Box> means = error_map_.draw({{picture.right(), picture.at.y}, room}, moves());
     pixel_.draw(stage_, error_map_, picture.at, room, means);
     if (drawn && stage_.failed()) return 3;  // ImGui measures the error's box before it shows it
     return is_told_ || wipe_.is_opening() ? 2 : 0;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_view.h"
@@ -58,6 +59,8 @@ public:
     bool has_check_to_run() const;
     void run_check() { checks_.run_next(check_view_.name()); }
 
+    /// Gives the keys back to the lab.
+    void leave_parts();
     /// Adds the lab's open parts.
     void add_open_parts(OpenParts& open) const;
     /// Carries out the wishes for the lab in this order: actions, check, probe, value, editor, knob.
@@ -73,7 +76,7 @@ public:
     const Box& picture() const { return picture_; }
 
 private:
-    void act(MenuAction action);
+    void act(LabAction action);
     void act_mouse();
     void draw_parts(const Layout& layout, float scale, MenuWish& wish);
     int draw_picture(glm::ivec2 room, float scale);
@@ -83,6 +86,10 @@ private:
     void explain_pixel();
     void undo(bool again);
     void toggle_wipe();
+    std::vector<std::string> parts_with_keys() const;
+    void take_next_part();
+    void let_go_of_keys();
+    void draw_part_frame(const Layout& layout, float scale);
 
     Stage stage_;
     Checks checks_;
@@ -105,6 +112,7 @@ private:
     bool is_panel_hidden_ = false;
     bool is_told_ = false;  ///< the note about a slow frame is on screen
     std::string message_;
+    std::string part_;  ///< the part of the window that has the keys, by the name of its ImGui window; else empty
 };
 
 }  // namespace relief::window

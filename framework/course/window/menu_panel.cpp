@@ -4,6 +4,7 @@
 
 #include "framework/course/window/menu_brush.h"
 #include "framework/course/window/menu_check_list.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_knobs.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
@@ -25,7 +26,7 @@ void draw_probes(Stage& stage, bool error_map, MenuWish& wish) {
         tooltip("This quantity as the shader computes it, in place of the picture" +
                 (probe.unit.empty() ? "." : "; its unit is the " + probe.unit + "."));
     }
-    if (ImGui::Checkbox("error map beside it", &error_map)) wish.ask(MenuAction::toggle_error_map);
+    if (ImGui::Checkbox("error map beside it", &error_map)) wish.ask(LabAction::toggle_error_map);
     tooltip("How far the probe is from its exact value, at each pixel (E).");
 }
 
@@ -45,7 +46,7 @@ void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& che
         // Each tab scrolls by itself, below the tab bar.
         const auto scrolled = [&](const char* name, auto contents) {
             if (!begin_tab(name)) return;
-            ImGui::BeginChild(name);
+            begin_reachable_child(name);
             contents();
             ImGui::EndChild();
             ImGui::EndTabItem();
@@ -60,7 +61,7 @@ void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& che
             ImGui::Dummy({0, 6});
             if (!paints) brush.draw(stage, wish);
             if (dynamic_cast<MapMaker*>(stage.lab())) {
-                if (ImGui::Button("Save map")) wish.ask(MenuAction::save_map);
+                if (ImGui::Button("Save map")) wish.ask(LabAction::save_map);
                 tooltip("Saves the map that the lab makes, as PNG of 16 bits, under a new name (M).");
             }
         });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/window/menu_layout.h"
 
 namespace relief::window {
 

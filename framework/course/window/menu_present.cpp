@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
@@ -9,22 +11,27 @@
 
 namespace relief::window {
 
-void draw_opening(const Box& picture, const Stage& stage) {
-    std::string note = "drawing ...";
-    if (stage.is_opening()) {
-        if (stage.backdrop().framebuffer)
-            ImGui::GetBackgroundDrawList()->AddRectFilled({float(picture.at.x), float(picture.at.y)},
-                                                          {float(picture.right()), float(picture.bottom())},
-                                                          IM_COL32(16, 17, 20, 150));
-        note = fmt::format("opening {}", title_of(stage.entry()));
-        note += stage.pauses() == 0 ? " ..." : fmt::format(": compiling, {} done ...", stage.pauses());
-    }
+void draw_note(const Box& picture, const std::string& note, bool is_alone) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
-    const ImVec2 size = ImGui::CalcTextSize(note.c_str());
-    const ImVec2 at{float(picture.at.x) + margin, float(picture.bottom()) - 2 * margin - size.y};
+    const ImVec2 size = ImGui::CalcTextSize(note.c_str()), box{size.x + 2 * margin, size.y + margin};
+    ImVec2 at{float(picture.at.x) + margin, float(picture.bottom()) - margin - box.y};
+    if (is_alone)
+        at = {float(picture.at.x) + std::max(margin, (float(picture.size.x) - box.x) / 2),
+              float(picture.at.y) + (float(picture.size.y) - box.y) / 2};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(at, {at.x + size.x + 2 * margin, at.y + size.y + margin}, IM_COL32(16, 17, 20, 255), 4);
+    list.AddRectFilled(at, {at.x + box.x, at.y + box.y}, IM_COL32(16, 17, 20, 255), 4);
     list.AddText({at.x + margin, at.y + margin / 2}, ImGui::ColorConvertFloat4ToU32(accent), note.c_str());
+}
+
+void draw_opening(const Box& picture, const Stage& stage) {
+    const std::string step = stage.step() + " ...";
+    const bool has_backdrop = stage.backdrop().framebuffer != 0;
+    if (!stage.is_opening()) return draw_note(picture, step, !stage.framebuffer());
+    if (has_backdrop)
+        ImGui::GetBackgroundDrawList()->AddRectFilled({float(picture.at.x), float(picture.at.y)},
+                                                      {float(picture.right()), float(picture.bottom())},
+                                                      IM_COL32(16, 17, 20, 150));
+    draw_note(picture, fmt::format("opening {}: {}", title_of(stage.entry()), step), !has_backdrop);
 }
 
 void present(glm::ivec2 window, const Box& picture, const Stage& stage, const Wipe& wipe) {

@@ -5,7 +5,11 @@
 #include <utility>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
+#include "framework/course/pages/markdown.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_imgui.h"
@@ -28,30 +32,74 @@ std::string plain_words(std::string text) {
 void Search::add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
                  std::vector<Found>& all, const std::string& place) {
     const auto add = [&](const char* kind, const std::string& name, const std::string& note) -> MenuWish& {
-        Found& found = all.emplace_back(Found{kind, name, note, place, {}});
+        Found& found = all.emplace_back(Found{kind, name, note, place, "", {}});
         if (!place.empty()) found.wish.lab = &lab;
         return found.wish;
     };
-    for (const KnobText& knob : knobs) add("knob", knob.name, knob.help.sentence()).knob = knob.name;
+    for (const KnobText& knob : knobs) {
+        add("knob", knob.help.title_of(knob.name), knob.help.sentence()).knob = knob.name;
+        all.back().option = knob.name;
+    }
     for (const ProbeInfo& probe : manifest.probes) add("probe", probe.name, probe.unit).probe = probe.name;
     for (const CheckInfo& check : manifest.checks) add("check", check.name, check.task).check = check.name;
+    for (const KnobText& knob : knobs) {
+        if (knob.range == "on, off" || knob.range.find(" to ") != std::string::npos) continue;
+        for (const std::string& value : split(knob.range, ',')) {
+            const std::string word = value.substr(value.find_first_not_of(' '));
+            MenuWish& found = add("value", knob.help.title_of(knob.name) + " = " + word, knob.help.sentence());
+            found.knob = knob.name, found.value = word;
+            all.back().option = knob.name + "=" + word;
+        }
+    }
+}
+
+void Search::add_headings(const LabEntry& lab, std::vector<Found>& all, const std::string& place) {
+    const std::string document = "labs/" + lab.folder + "/README.md";
+    for (const pages::Block& block : pages::parse_markdown(read_file(course_root() / document))) {
+        if (block.kind != pages::BlockKind::heading) continue;
+        const std::string heading = pages::plain_text(block.spans);
+        Found& found = all.emplace_back(Found{"heading", heading, "in the handout", place, "", {}});
+        if (!place.empty()) found.wish.lab = &lab;
+        found.wish.document = document, found.wish.passage = heading;
+    }
+}
+
+void Search::add_words(std::vector<Found>& all) {
+    const char* const document = "labs/GLOSSARY.md";
+    for (const pages::Block& block : pages::parse_markdown(read_file(course_root() / document)))
+        for (size_t row = 1; row < block.rows.size(); ++row) {
+            const std::string word = pages::plain_text(block.rows[row].front());
+            Found& found = all.emplace_back(Found{"word", word, pages::plain_text(block.rows[row].back()), "", "", {}});
+            found.wish.document = document, found.wish.passage = word;
+        }
 }
 
 void Search::learn_of_labs() {
     if (!others_.empty()) return;
     for (const LabEntry& lab : registry()) try {
             add(lab, load_manifest(lab), describe_knobs(*lab.make()), others_, "lab " + lab.two_digits());
+            add_headings(lab, others_, "lab " + lab.two_digits());
         } catch (const Error&) {
             // Opening that lab shows the error.
         }
+    try {
+        add_words(others_);
+    } catch (const Error&) {
+        // A course without a glossary has no words to find.
+    }
 }
 
 std::vector<Search::Found> Search::find(const Stage& stage, const Checks& checks) const {
     std::vector<Found> all;
     add(stage.entry(), checks.manifest(), stage.lab() ? describe_knobs(*stage.lab()) : std::vector<KnobText>(), all,
         "");
+    try {
+        add_headings(stage.entry(), all, "");
+    } catch (const Error&) {
+        // The handout itself says that it is missing.
+    }
     for (const LabEntry& lab : registry()) {
-        Found& found = all.emplace_back(Found{"lab", title_of(lab), lab.name, "", {}});
+        Found& found = all.emplace_back(Found{"lab", title_of(lab), lab.name, "", "", {}});
         found.wish.lab = &lab;
     }
     const std::string wanted = plain_words(text_);
@@ -59,8 +107,9 @@ std::vector<Search::Found> Search::find(const Stage& stage, const Checks& checks
     // Names before descriptions, and the current lab before the others.
     const auto take = [&](const std::vector<Found>& from, bool by_name) {
         for (const Found& found : from) {
-            const bool in_name = plain_words(found.name).find(wanted) != std::string::npos;
-            const bool in_note = plain_words(found.note).find(wanted) != std::string::npos;
+            const bool in_name = plain_words(found.name + "\n" + found.option).find(wanted) != std::string::npos;
+            // The note of a value is its knob's.
+            const bool in_note = found.kind != "value" && plain_words(found.note).find(wanted) != std::string::npos;
             if (found.wish.lab == &stage.entry() && !found.place.empty()) continue;
             if (by_name ? in_name : in_note && !in_name) result.push_back(found);
         }
@@ -87,7 +136,9 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     if (!open_) return;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##text", "a lab, a knob, a probe or a check", text_, sizeof text_)) marked_ = 0;
+    if (ImGui::InputTextWithHint("##text", "a lab, a knob, a value, a probe, a check, a heading or a word", text_,
+                                 sizeof text_))
+        marked_ = 0;
     const std::vector<Found> found = find(stage, checks);
     const int count = int(std::min(found.size(), most));
     if (is_pressed(ImGuiKey_DownArrow)) ++marked_;
@@ -95,7 +146,8 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     marked_ = std::clamp(marked_, 0, std::max(0, count - 1));
     const MenuWish* taken = nullptr;
     if (count > 0 && (is_pressed(ImGuiKey_Enter) || is_pressed(keypad_enter))) taken = &found[size_t(marked_)].wish;
-    if (count == 0) quiet_text("No lab, knob, probe or check has that in its name or its help.");
+    if (count == 0)
+        quiet_text("Nothing has that in its name or its help: no lab, knob, value, probe, check, heading or word.");
     for (int i = 0; i < count; ++i) {
         const Found& one = found[size_t(i)];
         ImGui::PushID(i);
@@ -103,7 +155,7 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
         const float left = ImGui::GetStyle().WindowPadding.x;
         ImGui::SameLine(left);
         ImGui::TextColored(quiet, "%s", one.kind.c_str());
-        ImGui::SameLine(left + 56 * scale);
+        ImGui::SameLine(left + 66 * scale);
         ImGui::TextUnformatted(one.name.c_str());
         ImGui::SameLine();
         if (!one.place.empty()) {
@@ -114,7 +166,11 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
         ImGui::PopID();
     }
     if (found.size() > most) quiet_text("and " + std::to_string(found.size() - most) + " more");
-    if (taken) wish.lab = taken->lab, wish.knob = taken->knob, wish.probe = taken->probe, wish.check = taken->check;
+    if (taken) {
+        const std::vector<MenuAction> actions = std::move(wish.actions);  // of this frame's keys
+        wish = *taken;
+        wish.actions = actions;
+    }
     if (std::exchange(closing_, false) || taken) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

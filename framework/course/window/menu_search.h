@@ -1,4 +1,5 @@
-// Finds labs, knobs, probes and checks by a part of their name. In the window module only.
+// Finds labs, knobs and their values, probes, checks, headings of handouts and words of the glossary by a part of their
+// name. In the window module only.
 #pragma once
 
 #include <string>
@@ -28,12 +29,17 @@ public:
 private:
     struct Found {
         std::string kind, name, note;
-        std::string place;  ///< the lab, if another one; else empty
+        std::string place;   ///< the lab, if another one; else empty
+        std::string option;  ///< the name of a knob
         MenuWish wish;
     };
     /// Adds the knobs, probes and checks of a lab.
     static void add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
                     std::vector<Found>& all, const std::string& place);
+    /// Adds the headings of a lab's handout.
+    static void add_headings(const LabEntry& lab, std::vector<Found>& all, const std::string& place);
+    /// Adds the words of the glossary.
+    static void add_words(std::vector<Found>& all);
     /// Collects the contents of all labs, once.
     void learn_of_labs();
     std::vector<Found> find(const Stage& stage, const Checks& checks) const;

@@ -2,15 +2,26 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
+#include <optional>
 
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
+namespace {
+
+std::filesystem::path zoom_file() { return course_root() / "build" / "window.zoom"; }
+
+}  // namespace
 
 float scale_of(GLFWwindow* window) {
     float x = 1, y = 1;
@@ -18,12 +29,21 @@ float scale_of(GLFWwindow* window) {
     if (x > 1) return x;
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-    if (!mode) return 1;
-    int width = 0, height = 0;  // in millimetres; 0 if unknown
-    glfwGetMonitorPhysicalSize(monitor, &width, &height);
-    if (height <= 0) return 1;
-    const float density = float(mode->height) * 25.4f / float(height) / 96;
-    return std::max(1.0f, std::round(4 * std::min(density, float(mode->height) / 1080)) / 4);
+    return mode ? std::max(1.0f, std::min(float(mode->width) / 1920, float(mode->height) / 1080)) : 1;
+}
+
+float kept_zoom() try {
+    const std::optional<double> zoom = parse_number(read_file(zoom_file(), 100));
+    return zoom ? std::clamp(float(*zoom), 0.5f, 4.0f) : 1;
+} catch (const Error&) {
+    return 1;
+}
+
+void keep_zoom(float zoom) try {
+    make_folder(zoom_file().parent_path());
+    write_file(zoom_file(), fmt::format("{}", zoom));
+} catch (const Error&) {
+    // The window of a course that one may only read has its usual size at the next start.
 }
 
 void fit_to_display(GLFWwindow* window, float scale) {

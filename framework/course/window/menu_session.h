@@ -5,9 +5,15 @@
 
 namespace relief::window {
 
-/// Returns the desktop's scale if it is above 1. Otherwise derives it from the display's pixel density, limited so that
-/// about 1080 scaled rows remain. Rounded to quarters, at least 1.
+/// Returns the desktop's scale if it is above 1. Otherwise derives it from the display's size, so that at least 1080
+/// scaled rows and 1920 scaled columns remain; at least 1.
 float scale_of(GLFWwindow* window);
+
+/// Returns the factor on the display's scale that the user has chosen last, from the course's build folder; 1 if there
+/// is none.
+float kept_zoom();
+/// Keeps the factor for the next start. Does nothing if the folder is not writable.
+void keep_zoom(float zoom);
 
 /// Scales the window's size, clamped to the display's work area.
 void fit_to_display(GLFWwindow* window, float scale);

@@ -145,6 +145,12 @@ bool Stage::is_due(glm::ivec2 size, double time) const {
     return lab_ && (stale_ || moves || size != shot_.size);
 }
 
+std::string Stage::step() const {
+    if (!is_opening()) return "drawing";
+    if (prepared_) return "drawing the picture";
+    return pauses_ == 0 ? "loading maps, compiling shaders" : fmt::format("compiling shaders, {} done", pauses_);
+}
+
 bool Stage::draw(glm::ivec2 size, double time) {
     if (!is_due(size, time)) return false;
     if (!prepared_ && !prepare(size, time)) return false;

@@ -68,8 +68,8 @@ public:
     bool draw(glm::ivec2 size, double time);
     /// Returns whether the lab has no frame yet and waits for one.
     bool is_opening() const { return lab_ && !drawn_; }
-    /// Number of calls of draw() that compiled programs for the first frame.
-    int pauses() const { return pauses_; }
+    /// Returns what the next call of draw() does, for a user who waits: "compiling shaders, 2 done".
+    std::string step() const;
 
     /// The framebuffer of the last good frame (one sample per pixel), for a blit; 0 if there is none.
     GLuint framebuffer() const { return shown_; }

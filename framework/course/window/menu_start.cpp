@@ -14,6 +14,7 @@
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
+#include "framework/course/window/menu_tiles.h"
 
 namespace relief::window {
 namespace {
@@ -74,6 +75,8 @@ void StartPage::make_next() {
 
 void StartPage::load(Card& card) try {
     const Manifest manifest = load_manifest(*card.lab);
+    for (const TaskInfo& task : manifest.tasks)
+        if (!task.optional) card.tasks.push_back(check::unjudged(task));
     if (manifest.cover.empty()) return;
     const fs::path file = course_root() / "labs" / card.lab->folder / "golden" / (manifest.cover + ".png");
     if (std::error_code ignored; !fs::exists(file, ignored)) return;
@@ -101,11 +104,9 @@ void StartPage::check_next() {
         }
         checks_.run_next("");
         if (checks_.pending()) return;
-        // A card has no room for optional points.
-        std::vector<check::TaskVerdict> tasks = checks_.tasks();
-        std::erase_if(tasks, [](const check::TaskVerdict& task) { return task.optional; });
-        card.points = tasks.empty() ? "no tasks" : check::points_text(tasks);
-        card.share = checks_.share();
+        card.tasks = checks_.tasks();
+        std::erase_if(card.tasks, [](const check::TaskVerdict& task) { return task.optional; });
+        card.points = card.tasks.empty() ? "no tasks" : check::points_text(card.tasks);
     } catch (const Error&) {
         card.points = "cannot be checked";  // opening that lab shows the error
     }
@@ -114,10 +115,54 @@ void StartPage::check_next() {
     ++checked_;
 }
 
+bool StartPage::Card::is_full() const {
+    if (points.empty()) return false;
+    const check::PointSum sum = check::sum_of(tasks);
+    return sum.points >= sum.of - 1e-6;
+}
+
+const LabEntry* StartPage::next() const {
+    const auto edited =
+        std::find_if(cards_.begin(), cards_.end(), [&](const Card& card) { return card.lab == edited_; });
+    const size_t begin = edited == cards_.end() ? 0 : size_t(edited - cards_.begin());
+    for (size_t i = 0; i < cards_.size(); ++i)
+        if (const Card& card = cards_[(begin + i) % cards_.size()]; !card.is_full() && !card.tasks.empty())
+            return card.lab;
+    return nullptr;
+}
+
 void StartPage::move(int columns, int rows) {
-    const int last = int(cards_.size()) - 1;
-    marked_ = size_t(std::clamp(int(marked_) + columns + rows * columns_, 0, last));
+    const size_t last = cards_.size() - 1;
+    if (columns != 0) marked_ = size_t(std::clamp(int(marked_) + columns, 0, int(last)));
+    size_t row = 0, column = marked_;
+    while (row + 1 < rows_.size() && column >= rows_[row]) column -= rows_[row++];
+    const size_t wanted = size_t(std::clamp(int(row) + rows, 0, std::max(0, int(rows_.size()) - 1)));
+    if (wanted != row) {
+        marked_ = std::min(column, rows_[wanted] - 1);
+        for (size_t i = 0; i < wanted; ++i) marked_ += rows_[i];
+    }
     seek_ = true;
+}
+
+void StartPage::draw_sum(float scale, MenuWish& wish) const {
+    if (const LabEntry* const lab = next()) {
+        const std::string label = (edited_ ? "Continue with lab " : "Start with lab ") + title_of(*lab);
+        if (ImGui::Button(label.c_str())) wish.lab = lab;
+        ImGui::SameLine(0, 16 * scale);
+        ImGui::AlignTextToFramePadding();
+    }
+    std::vector<check::TaskVerdict> all;
+    size_t labs = 0, checked = 0;
+    for (const Card& card : cards_) {
+        all.insert(all.end(), card.tasks.begin(), card.tasks.end());
+        labs += !card.tasks.empty(), checked += !card.tasks.empty() && !card.points.empty();
+    }
+    if (all.empty()) return;
+    push_font(font(FontRole::bold));
+    text(check::points_text(all));
+    ImGui::PopFont();
+    ImGui::SameLine(0, 16 * scale);
+    quiet_text(checked < labs ? fmt::format("{} of {} labs checked", checked, labs) : fmt::format("in {} labs", labs));
 }
 
 void StartPage::draw_card(size_t index, ImVec2 size, float scale, MenuWish& wish) {
@@ -135,13 +180,19 @@ void StartPage::draw_card(size_t index, ImVec2 size, float scale, MenuWish& wish
     // The share of the points, as a bar below the picture.
     const float bar = 3 * scale, y = at.y + picture.y;
     list.AddRectFilled({at.x, y}, {at.x + size.x, y + bar}, IM_COL32(48, 51, 60, 255));
-    list.AddRectFilled({at.x, y}, {at.x + size.x * float(card.share), y + bar}, ImGui::ColorConvertFloat4ToU32(good));
+    const check::PointSum sum = check::sum_of(card.tasks);
+    if (sum.of > 0)
+        list.AddRectFilled({at.x, y}, {at.x + size.x * float(sum.points / sum.of), y + bar},
+                           ImGui::ColorConvertFloat4ToU32(good));
     const ImVec2 line{at.x + 10 * scale, y + bar + 7 * scale};
     list.AddText(font(FontRole::bold), size_of(*font(FontRole::bold)), line, IM_COL32_WHITE,
                  title_of(*card.lab).c_str());
-    const std::string points = card.points.empty() ? "checking ..." : card.points;
-    list.AddText({line.x, line.y + 21 * scale}, ImGui::ColorConvertFloat4ToU32(card.share < 1 ? quiet : good),
-                 (card.share < 1 ? points : "\u2713 " + points).c_str());
+    const bool is_good = card.is_full() && sum.of > 0;
+    const std::string points = !card.points.empty()        ? card.points
+                               : !checks_.is_of(*card.lab) ? "not checked yet"
+                                                           : "checking " + checks_.progress();
+    list.AddText({line.x, line.y + 21 * scale}, ImGui::ColorConvertFloat4ToU32(is_good ? good : quiet),
+                 ((is_good ? "\u2713 " : "") + points).c_str());
     if (card.lab == edited_) {
         const char* const note = "edited last";
         const ImVec2 room = ImGui::CalcTextSize(note), corner{at.x + 8 * scale, at.y + 8 * scale};
@@ -165,9 +216,11 @@ void StartPage::draw(glm::ivec2 window, float scale, MenuWish& wish) {
         "Surface detail in OpenGL, in labs: normals, rays in a relief, displaced triangles.  Arrow keys and Enter, or "
         "a click, "
         "open a lab;  /  searches;  ?  shows all keys.");
+    draw_sum(scale, wish);
     const float room = ImGui::GetContentRegionAvail().x;
-    columns_ = std::max(1, int((room + gap) / (card_width * scale + gap)));
-    const float width = (room - gap * float(columns_ - 1)) / float(columns_);
+    const int columns = std::max(1, int((room + gap) / (card_width * scale + gap)));
+    const float width = (room - gap * float(columns - 1)) / float(columns);
+    rows_.clear();
     const ImVec2 size{width, width * picture_shape + 58 * scale};
     for (size_t group = 0, index = 0; group < std::size(pages::lab_groups); ++group) {
         const bool is_last = group + 1 == std::size(pages::lab_groups);
@@ -184,10 +237,13 @@ void StartPage::draw(glm::ivec2 window, float scale, MenuWish& wish) {
         ImGui::SameLine(0, gap);
         quiet_text(pages::lab_groups[group].about);
         ImGui::Dummy({0, 2 * scale});
-        for (int column = 0; index < end; ++index, ++column) {
-            if (column % columns_ != 0) ImGui::SameLine(0, gap);
-            draw_card(index, size, scale, wish);
-            if (column % columns_ == columns_ - 1 || index + 1 == end) ImGui::Dummy({0, gap - 6 * scale});
+        for (const size_t count : even_rows(end - index, size_t(columns))) {
+            rows_.push_back(count);
+            for (size_t column = 0; column < count; ++column) {
+                if (column > 0) ImGui::SameLine(0, gap);
+                draw_card(index++, size, scale, wish);
+            }
+            ImGui::Dummy({0, gap - 6 * scale});
         }
     }
     ImGui::End();

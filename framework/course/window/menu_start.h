@@ -1,4 +1,5 @@
-// The page with which the window starts: a picture of each lab, and the points earned in it. In the window module only.
+// The page with which the window starts: the sum of the points, and a picture of each lab with the points earned in it.
+// In the window module only.
 #pragma once
 
 #include <optional>
@@ -39,20 +40,25 @@ private:
         const LabEntry* lab;
         std::optional<Texture> picture = {};  ///< absent if the lab has no reference screenshot that can be read
         glm::vec2 size{1};                    ///< of the picture, in pixels
-        std::string points = {};              ///< empty until the checks have run
-        Checks::Files files = {};             ///< with which they ran
-        double share = 0;                     ///< earned, 0 to 1
+        /// Without optional ones, for which a card has no room. Without points until the checks have run.
+        std::vector<check::TaskVerdict> tasks = {};
+        std::string points = {};   ///< empty until the checks have run
+        Checks::Files files = {};  ///< with which they ran
+        bool is_full() const;      ///< nothing is left to earn
     };
     void load(Card& card);
     void check_next();
+    /// Returns the first lab from the one that was edited last on in which points are left to earn; null if none has.
+    const LabEntry* next() const;
+    void draw_sum(float scale, MenuWish& wish) const;
     void draw_card(size_t index, ImVec2 size, float scale, MenuWish& wish);
 
     bool open_ = false, seek_ = false;  ///< `seek_`: scroll to the marked card
     std::vector<Card> cards_;           ///< in the order of the labs
     const LabEntry* edited_ = nullptr;
     size_t marked_ = 0, loaded_ = 0, checked_ = 0;
-    int columns_ = 1;  ///< as drawn
-    Checks checks_;    ///< of the lab that is being checked
+    std::vector<size_t> rows_;  ///< as drawn: the number of cards in each row
+    Checks checks_;             ///< of the lab that is being checked
 };
 
 }  // namespace relief::window

@@ -86,6 +86,11 @@ void style_menu(float scale) {
     style.Colors[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.13f, 1};
     style.Colors[ImGuiCol_Header] = {0.22f, 0.19f, 0.18f, 1};
     style.Colors[ImGuiCol_CheckMark] = accent;
+#if IMGUI_VERSION_NUM >= 19140
+    style.Colors[ImGuiCol_NavCursor] = accent;
+#else
+    style.Colors[ImGuiCol_NavHighlight] = accent;
+#endif
     // Dark enough for the digits on it: white has a contrast of 8 to 1.
     style.Colors[ImGuiCol_SliderGrab] = {0.48f, 0.28f, 0.18f, 1};
     for (const int color : {ImGuiCol_Tab, ImGuiCol_TabUnfocused}) style.Colors[color] = {0.14f, 0.15f, 0.18f, 1};

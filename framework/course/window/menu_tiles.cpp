@@ -32,6 +32,15 @@ std::vector<TileMean> tile_means(const std::vector<PictureWord>& words, const Im
     return seen.size() > 1 ? means : std::vector<TileMean>();
 }
 
+std::vector<size_t> even_rows(size_t count, size_t columns) {
+    std::vector<size_t> lengths;
+    for (size_t rows = (count + columns - 1) / columns; rows > 0; --rows) {
+        lengths.push_back((count + rows - 1) / rows);
+        count -= lengths.back();
+    }
+    return lengths;
+}
+
 glm::ivec2 beside(glm::ivec2 pixel, glm::ivec2 size, const Box& room, const std::vector<Box>& words) {
     constexpr int gap = 16;
     std::optional<glm::ivec2> first;

@@ -49,6 +49,14 @@ protected:
         void restore() const { overwrite(good); }
     } shader_{course_.course};
     TemporaryFolder folder_;
+    /// The factor of Ctrl and +/- that the window keeps for its next start; gone after each test.
+    struct Zoom {
+        std::filesystem::path file;
+        ~Zoom() {
+            std::error_code none;
+            std::filesystem::remove(file, none);
+        }
+    } zoom_{course_.course.path() / "build/window.zoom"};
     Screen screen_;
     Circumstances where_{folder_.path(),
                          {{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}};
@@ -746,6 +754,39 @@ TEST_F(Window, ControlPlusAndMinusScaleTheInterface) {
     EXPECT_TRUE(eventually([&] { return place().scale == before.scale && place().panel == before.panel; }));
 }
 
+TEST_F(Window, StartsAgainWithTheSizeThatItsUserChoseLast) {
+    open("20");
+    const Place usual = place();
+    press("ctrl+plus");
+    EXPECT_TRUE(eventually([&] { return place().scale > usual.scale; }));
+    const Place chosen = place();
+    press("ctrl+q");
+    EXPECT_EQ(window_->wait().code, 0);
+    open("20");
+    EXPECT_EQ(place().scale, chosen.scale);
+    EXPECT_EQ(place().panel, chosen.panel);
+}
+
+TEST_F(Window, KeysReachTheKnobsAfterF6AndAreTheLabsAgainAfterEscape) {
+    open("20");
+    const Image before = saved_anew();
+    const size_t still = frames().size();
+    press("F6");
+    EXPECT_TRUE(eventually([&] { return count("keys: panel") == 1; })) << window_->err();
+    // Down to the next item; space takes it, and an arrow changes it if it is a slider. A second space lets go of it.
+    for (int i = 0; i < 9 && frames().size() == still; ++i)
+        for (const char* key : {"Down", "space", "Right", "space"}) {
+            press(key);
+            std::this_thread::sleep_for(200ms);
+        }
+    EXPECT_TRUE(eventually([&] { return frames().size() > still; })) << window_->err();
+    EXPECT_EQ(frames().back().lab, "20_test_wall") << "the arrows open no other lab";
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return count("keys: the lab") == 1; })) << window_->err();
+    EXPECT_NE(saved_anew().values, before.values);
+    press_for("Right", "01_specular_highlights");
+}
+
 TEST_F(Window, HeaderAndStatusStayWhileThePanelScrolls) {
     open("01");
     ASSERT_TRUE(eventually([&] { return count("checks: ") == 1; })) << window_->err();
@@ -792,6 +833,48 @@ TEST_F(Window, SearchFindsAKnobOfAnotherLab) {
     open("20");
     search_for("shininess");
     press_for("Return", "01_specular_highlights");
+}
+
+TEST_F(Window, SearchFindsAValueOfAKnobInWordsAndSetsIt) {
+    open("01");
+    const Image before = saved("01_specular_highlights-1.png");
+    search_for("side by side");  // the value side-by-side of the knob method
+    press_for("Return", "01_specular_highlights");
+    rest_the_mouse();
+    const Image after = saved("01_specular_highlights-2.png");
+    EXPECT_NE(after.values, before.values);
+    const Result shot = run({course_.program("relief"), "shot", "01", "--set", "method=side-by-side", "--size",
+                             fmt::format("{}x{}", after.width, after.height), "-o", "beside.png"},
+                            {folder_.path(), {}});
+    EXPECT_EQ(shot.code, 0) << shot.err;
+    EXPECT_EQ(after.values, read_image(folder_.path() / "beside.png").values);
+}
+
+TEST_F(Window, SearchOpensAHandoutAtAHeadingAndTheGlossaryAtAWord) {
+    const char* file = "labs/20_test_wall/README.md";
+    const std::string good = read_all(course_.course.path() / file);
+    std::string lines = "# A lab\n\n";
+    for (int i = 0; i < 200; ++i) lines += "A line.\n\n";
+    course_.course.overwrite(file, lines + "## Quaternionic\n\nThe end.\n");
+    course_.course.overwrite("labs/GLOSSARY.md", "| word | meaning |\n|---|---|\n| umbra | the dark part |\n");
+    open("20");
+    // The mark is the only large area of its colour in the handout.
+    const auto marked = [&] {
+        const Place at = place();
+        return has_color(at.x + at.width, window_width, at.y, at.y + at.height, [](const float* c) {
+            return std::abs(c[0] - 0.312f) < 0.02f && std::abs(c[1] - 0.217f) < 0.02f &&
+                   std::abs(c[2] - 0.179f) < 0.02f;
+        });
+    };
+    search_for("quaternionic");
+    press("Return");
+    EXPECT_TRUE(eventually([&] { return place().x + place().width < window_width && marked(); })) << window_->err();
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return place().x + place().width == window_width; }));
+    search_for("umbra");
+    press("Return");
+    EXPECT_TRUE(eventually([&] { return place().x + place().width < window_width && marked(); })) << window_->err();
+    course_.course.overwrite(file, good);
 }
 
 TEST_F(Window, TheChecksReportTheSameAsReliefCheck) {
@@ -989,16 +1072,16 @@ TEST_F(Window, GivesAContextToShotsToo) {
     EXPECT_EQ(read_all(folder_.path() / "w.png"), read_all(folder_.path() / "o.png")) << "one Mesa, the same bits";
 }
 
-/// A 4K display with 192 pixels per inch, without a scale set by the desktop.
-class WindowOnSmallPixels : public Window {
+/// A display of 2560 x 1440 pixels, without a scale set by the desktop.
+class WindowOnALargeDisplay : public Window {
 protected:
-    WindowOnSmallPixels() : Window("3840x2160x24 -dpi 192 -extension RANDR") {}
+    WindowOnALargeDisplay() : Window("2560x1440x24") {}
 };
 
-TEST_F(WindowOnSmallPixels, IsTwiceAsLarge) {
+TEST_F(WindowOnALargeDisplay, IsLargerSoThat1080ScaledRowsRemain) {
     open("20");
-    EXPECT_EQ(place().scale, 2);
-    EXPECT_EQ(place().panel, 680);
+    EXPECT_NEAR(place().scale, 1440.0 / 1080, 0.005) << "as --verbose rounds it";
+    EXPECT_EQ(place().panel, 340 * 1440 / 1080);
 }
 
 }  // namespace

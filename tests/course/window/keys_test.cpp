@@ -20,17 +20,17 @@ TEST(Keys, EscapeClosesTheUppermostPart) {
     EXPECT_EQ(escape(open), Actions()) << "it does not end the window";
     // From the lowest part to the uppermost.
     const std::pair<bool OpenParts::*, MenuAction> parts[] = {
-        {&OpenParts::handout, MenuAction::toggle_handout}, {&OpenParts::motion, MenuAction::stop_motion},
-        {&OpenParts::wipe, MenuAction::toggle_wipe},       {&OpenParts::brush, MenuAction::toggle_brush},
-        {&OpenParts::check, MenuAction::close_check},      {&OpenParts::explanation, MenuAction::close_explanation},
-        {&OpenParts::labs, MenuAction::close_labs},        {&OpenParts::help, MenuAction::toggle_help},
-        {&OpenParts::list, MenuAction::close_list},        {&OpenParts::search, MenuAction::close_search}};
+        {&OpenParts::handout, LabAction::toggle_handout}, {&OpenParts::motion, LabAction::stop_motion},
+        {&OpenParts::wipe, LabAction::toggle_wipe},       {&OpenParts::brush, LabAction::toggle_brush},
+        {&OpenParts::check, LabAction::close_check},      {&OpenParts::explanation, LabAction::close_explanation},
+        {&OpenParts::labs, WindowAction::close_labs},     {&OpenParts::help, WindowAction::toggle_help},
+        {&OpenParts::list, WindowAction::close_list},     {&OpenParts::search, WindowAction::close_search}};
     for (const auto& [part, action] : parts) {
         open.*part = true;
         EXPECT_EQ(escape(open), Actions{action});
     }
     open.typing = true;
-    EXPECT_EQ(escape(open), Actions{MenuAction::close_search}) << "the search has a text field";
+    EXPECT_EQ(escape(open), Actions{WindowAction::close_search}) << "the search has a text field";
     open.search = false;
     EXPECT_EQ(escape(open), Actions()) << "it belongs to the text field";
 }
@@ -38,12 +38,12 @@ TEST(Keys, EscapeClosesTheUppermostPart) {
 TEST(Keys, InATextFieldAreTextOrTheFieldsOwn) {
     for (const Key& key : {Key{GLFW_KEY_S, "s", false}, Key{GLFW_KEY_Z, "z", true}, Key{GLFW_KEY_RIGHT, "", false}})
         EXPECT_EQ(actions_of(key, {.typing = true}), Actions()) << key.code;
-    EXPECT_EQ(actions_of({GLFW_KEY_Q, "q", true}, {.typing = true}), Actions{MenuAction::quit});
+    EXPECT_EQ(actions_of({GLFW_KEY_Q, "q", true}, {.typing = true}), Actions{WindowAction::quit});
     MenuWish wish;
     add_character('/', {.typing = true}, wish);
     EXPECT_TRUE(wish.is_empty());
     add_character('/', {}, wish);
-    EXPECT_EQ(wish.actions, Actions{MenuAction::open_search});
+    EXPECT_EQ(wish.actions, Actions{WindowAction::open_search});
 }
 
 TEST(Keys, ArrowsMoveTheMarkScrollTheHandoutOrSwitchLabs) {
@@ -60,15 +60,31 @@ TEST(Keys, ArrowsMoveTheMarkScrollTheHandoutOrSwitchLabs) {
     wish = {};
     add_key({GLFW_KEY_RIGHT, "", false}, {.handout = true}, wish);
     add_key({GLFW_KEY_PAGE_DOWN, "", false}, {}, wish);
-    EXPECT_EQ(wish.actions, (Actions{MenuAction::next_lab, MenuAction::next_lab}));
+    EXPECT_EQ(wish.actions, (Actions{WindowAction::next_lab, WindowAction::next_lab}));
     EXPECT_EQ(wish.scroll, 0);
+}
+
+TEST(Keys, MoveThroughAPartThatHasThemAndLettersStayTheLabs) {
+    EXPECT_EQ(actions_of({GLFW_KEY_F6, "", false}, {}), Actions{LabAction::next_part});
+    const OpenParts open{.part = true, .handout = true};
+    for (const int key : {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN, GLFW_KEY_SPACE, GLFW_KEY_HOME,
+                          GLFW_KEY_END, GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN}) {
+        MenuWish wish;
+        add_key({key, "", false}, open, wish);
+        EXPECT_TRUE(wish.is_empty()) << key;
+    }
+    EXPECT_EQ(actions_of({GLFW_KEY_F6, "", false}, open), Actions{LabAction::next_part});
+    EXPECT_EQ(actions_of({GLFW_KEY_E, "e", false}, open), Actions{LabAction::toggle_error_map});
+    EXPECT_EQ(escape(open), Actions{LabAction::leave_parts});
+    EXPECT_EQ(escape({.list = true, .part = true}), Actions()) << "it closes the list";
+    EXPECT_EQ(escape({.part = true, .active = true}), Actions()) << "it ends the change of a slider";
 }
 
 TEST(Keys, OfALabDoNothingOnTheStartPage) {
     for (const int key : {GLFW_KEY_S, GLFW_KEY_E, GLFW_KEY_B, GLFW_KEY_F1})
         EXPECT_EQ(actions_of({key, "", false}, {.labs = true}), Actions()) << key;
     EXPECT_EQ(actions_of({GLFW_KEY_E, "e", true}, {.labs = true}), Actions());
-    EXPECT_EQ(actions_of({GLFW_KEY_ENTER, "", false}, {.labs = true}), Actions{MenuAction::choose_lab});
+    EXPECT_EQ(actions_of({GLFW_KEY_ENTER, "", false}, {.labs = true}), Actions{WindowAction::choose_lab});
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-// The mean error of each tile, beside a lab's picture.
+// The mean error of each tile, beside a lab's picture, and the rows of the start page.
 #include "framework/course/window/menu_tiles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace relief::window {
 namespace {
@@ -46,6 +47,21 @@ TEST(Tiles, ValuesBesideAPixelHideNoNumberOfATile) {
     EXPECT_EQ(beside({390, 290}, size, room, {}), glm::ivec2(390 - 76, 290 - 56));
     EXPECT_EQ(beside(pixel, size, room, {room}), pixel + 16);
     EXPECT_EQ(beside(pixel, {500, 40}, room, {}).x, 0);
+}
+
+TEST(Rows, HoldAllCardsAndNoneAloneBelowOthersInThreeColumnsOrMore) {
+    for (size_t columns = 1; columns < 9; ++columns)
+        for (size_t count = 0; count < 30; ++count) {
+            const std::vector<size_t> rows = even_rows(count, columns);
+            EXPECT_EQ(std::accumulate(rows.begin(), rows.end(), size_t{0}), count);
+            EXPECT_EQ(rows.size(), (count + columns - 1) / columns) << "no more rows than needed";
+            for (const size_t row : rows) {
+                EXPECT_LE(row, columns);
+                if (columns > 2 && rows.size() > 1) {
+                    EXPECT_GT(row, 1u) << count << " in " << columns;
+                }
+            }
+        }
 }
 
 }  // namespace
