@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 PagePicture drawing_of(const std::string& svg, const fs::path& file) {
     try {
         const glm::ivec2 size = svg_size(svg);
-        return {.width = size.x, .height = size.y, .is_drawing = true};
+        return {.width = size.x, .height = size.y, .is_drawing = true, .moving = is_moving_drawing(svg) ? svg : ""};
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }
@@ -48,10 +48,14 @@ public:
     std::string page() const {
         List text = blocks();
         List contents = chapters_of(text);
+        const bool has_moving = std::any_of(text.begin(), text.end(), [](const Value& block) {
+            const Value& figure = block.fields.at("figure");
+            return figure.kind == Value::Kind::fields && figure.fields.at("moving").kind != Value::Kind::nothing;
+        });
         return render({.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
                        .body = "handout",
                        .styles = {"site", "markdown", "picture_words"},
-                       .scripts = {},
+                       .scripts = has_moving ? std::vector<std::string>{"drawings"} : std::vector<std::string>(),
                        .pictures = PagePictures::beside},
                       {{"lab", lab_page_file(lab_)},
                        {"number", lab_.two_digits()},
@@ -85,6 +89,7 @@ private:
         if (file.extension() == ".svg") {
             const std::string svg = read_file(course_root() / file);
             shown = drawing_of(svg, file);
+            if (!shown.moving.empty()) return shown;
             put_(name, svg);
         } else {
             const GoldenInfo* const golden = golden_of(file);

@@ -98,7 +98,7 @@ private:
         return Fields{{"file", picture->file},     {"width", picture->width},
                       {"height", picture->height}, {"kind", picture->is_drawing ? "drawing" : "picture"},
                       {"text", span.text},         {"command", picture->command},
-                      {"words", picture->words}};
+                      {"words", picture->words},   {"moving", picture->moving}};
     }
 
     /// Returns lines, each with a label, formulas and notes. Words before a line's first formula are its label.

@@ -17,6 +17,7 @@ struct PagePicture {
     int width = 0, height = 0;
     bool is_drawing = false;   ///< dark lines, which need a white ground
     std::string command = {};  ///< the command that draws it, or empty
+    std::string moving = {};   ///< the text of a drawing that moves, in place of the file
     Value words = {};          ///< of {{> picture_words}}, to be laid over it, or empty
 };
 

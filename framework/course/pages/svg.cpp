@@ -21,6 +21,10 @@ glm::ivec2 svg_size(const std::string& svg) {
     return size;
 }
 
+bool is_moving_drawing(const std::string& svg) {
+    return svg.substr(0, svg.find('>')).find(" data-moves=\"") != std::string::npos;
+}
+
 Image draw_svg(const std::string& svg, glm::ivec2 size) {
     static const Module module = open_own_module("relief-librsvg.so", "librsvg2-dev");
     check_image_size(size.x, size.y, 4);

@@ -12,6 +12,9 @@ namespace relief {
 /// Error without a place when there is no such viewBox.
 glm::ivec2 svg_size(const std::string& svg);
 
+/// Returns whether the picture says data-moves="NAME": drawings.js moves it in a page that has its text.
+bool is_moving_drawing(const std::string& svg);
+
 /// Draws the picture on white, centred, as large as fits into `size` pixels. The result has three channels, 8 bits,
 /// sRGB. Throws Error without a place if the text is not SVG, if `size` is not a valid image size (see max_image_side),
 /// or if librsvg is missing.

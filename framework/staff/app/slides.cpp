@@ -15,6 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
+#include "framework/course/pages/template.h"
 #include "framework/staff/app/tool.h"
 #include "framework/staff/slides/deck.h"
 
@@ -117,8 +118,12 @@ fs::path marp() {
     return program;
 }
 
-/// Returns a deck in which the buttons below the slides are a landmark. Marp leaves them outside of all landmarks.
-std::string with_landmark(std::string html) {
+/// Returns a deck with the script of its drawings that move. The buttons below the slides become a landmark: Marp
+/// leaves them outside of all landmarks.
+std::string completed(std::string html) {
+    const size_t end = html.rfind("</body>");
+    if (end != std::string::npos && html.find(" data-moves=\"") != std::string::npos)
+        html.insert(end, "<script>" + pages::page_file("drawings", ".js") + "</script>");
     constexpr std::string_view buttons = "<div class=\"bespoke-marp-osc\"";
     if (const size_t at = html.find(buttons); at != std::string::npos)
         html.insert(at + buttons.size(), " role=\"navigation\" aria-label=\"slides\"");
@@ -137,7 +142,7 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
     for (const std::string& name : decks) {
         const fs::path made = folder / (name + (as_pdf ? ".pdf" : ".html"));
         if (!fs::exists(made)) throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
-        if (!as_pdf) write_file(made, with_landmark(read_file(made)));
+        if (!as_pdf) write_file(made, completed(read_file(made)));
     }
 }
 
@@ -193,7 +198,7 @@ void write_decks(const std::vector<NamedDeck>& decks, const fs::path& folder) {
             if (figure.has_words) text = slides::with_words(text, figure.file, read_file(words));
             fs::remove(words);
         }
-        write_file(folder / (name + ".md"), text);
+        write_file(folder / (name + ".md"), slides::with_moving_drawings(text, drawings_folder()));
     }
 }
 

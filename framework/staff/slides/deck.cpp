@@ -12,6 +12,7 @@
 #include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/sources.h"
+#include "framework/course/pages/svg.h"
 #include "framework/course/pages/template.h"
 
 namespace relief::slides {
@@ -252,6 +253,21 @@ std::string with_words(const std::string& deck, const std::string& file, const s
            fmt::format("<span class=\"worded\"{}><img src=\"{}\" alt=\"{}\">{}</span>", width, file,
                        pages::html(join(alt, " ")), markup) +
            deck.substr(end + file.size() + 3);
+}
+
+std::string with_moving_drawings(const std::string& deck, const fs::path& drawings) {
+    static const std::regex form(R"(!\[w:([0-9]+) [^\]]*\]\(diagrams/([a-z_]+\.svg)\))");
+    std::string result;
+    auto rest = deck.begin();
+    for (auto match = std::sregex_iterator(deck.begin(), deck.end(), form); match != std::sregex_iterator(); ++match) {
+        std::string svg = read_file(drawings / (*match)[2].str());
+        if (!is_moving_drawing(svg)) continue;
+        std::erase(svg, '\n');  // an empty line would end it
+        result.append(rest, deck.begin() + match->position());
+        result += fmt::format("<div class=\"plate\" style=\"width:{}px\">{}</div>", (*match)[1].str(), svg);
+        rest = deck.begin() + match->position() + match->length();
+    }
+    return result.append(rest, deck.end());
 }
 
 }  // namespace relief::slides

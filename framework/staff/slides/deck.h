@@ -51,4 +51,8 @@ Deck read_deck(const std::string& text, const std::filesystem::path& file, const
 /// are no words, or if the picture is not an ordinary one.
 std::string with_words(const std::string& deck, const std::string& file, const std::string& words);
 
+/// Returns a deck in which the text of each drawing that moves (pages/svg.h) stands in its place. `drawings` is the
+/// folder that the deck names `diagrams`. A script moves such a drawing only in the page itself.
+std::string with_moving_drawings(const std::string& deck, const std::filesystem::path& drawings);
+
 }  // namespace relief::slides

@@ -101,8 +101,10 @@ public:
                 copy(entry.path(), fs::path("compiler") / entry.path().filename());
         }
         put("live.css", style());
-        put("live.js",
-            pages::page_file("wipe", ".js") + "\n" + pages::page_file("framework/staff/web/live", ".js") + "\n");
+        std::string script;
+        for (const char* name : {"wipe", "drawings", "framework/staff/web/live"})
+            script += pages::page_file(name, ".js") + "\n";
+        put("live.js", script);
     }
 
 private:

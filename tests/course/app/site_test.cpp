@@ -310,14 +310,17 @@ TEST_F(Site, WordsOfAHandoutsPicturesAreLegibleTextAlsoOnAPhone) {
 }
 
 TEST_F(Site, DrawingsAreDarkOnADarkScreen) {
-    open("10_parallax_offset-handout.html");
-    const auto filter = [] {
-        return browser().eval("getComputedStyle(document.querySelector('.drawing img')).filter");
-    };
-    EXPECT_EQ(filter(), "none");
-    browser().dark(true);
-    EXPECT_EQ(filter(), "invert(0.88) hue-rotate(180deg)") << "white becomes 0.12";
-    browser().dark(false);
+    for (const auto& [page, drawing] : {std::pair("17_time_and_error-handout.html", ".drawing img"),
+                                        {"10_parallax_offset-handout.html", ".drawing svg"}}) {
+        open(page);
+        const auto filter = [&] {
+            return browser().eval("getComputedStyle(document.querySelector('" + std::string(drawing) + "')).filter");
+        };
+        EXPECT_EQ(filter(), "none") << page;
+        browser().dark(true);
+        EXPECT_EQ(filter(), "invert(0.88) hue-rotate(180deg)") << page << ": white becomes 0.12";
+        browser().dark(false);
+    }
 }
 
 TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {

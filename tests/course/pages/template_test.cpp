@@ -67,7 +67,8 @@ std::vector<std::string> tags_of(const std::string& text) {
 
 /// The values that are not escaped. The course's own code and files provide them.
 const std::set<std::pair<std::string, std::string>> not_escaped = {
-    {"framework/course/pages/block", "math"},  // formula.cpp's
+    {"framework/course/pages/block", "math"},    // formula.cpp's
+    {"framework/course/pages/block", "moving"},  // a drawing of assets/diagrams
     {"framework/course/pages/page", "page.style"}, {"framework/course/pages/page", "page.script"},
     {"framework/staff/pages/bench", "section"},     // topic.mustache, possibly from an earlier run
     {"framework/staff/pages/mistakes", "article"},  // mistake.mustache, from another process

@@ -239,63 +239,6 @@ TEST(Slides, EveryDeckEndsWithThreeQuestionsWhoseAnswersAreInTheNotes) {
     }
 }
 
-/// Returns the number after each `begin` in the text.
-std::vector<double> numbers_after(const std::string& text, std::string_view begin) {
-    std::vector<double> numbers;
-    for (size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
-        numbers.push_back(std::strtod(text.c_str() + at + begin.size(), nullptr));
-    return numbers;
-}
-
-TEST(Slides, LettersOfDrawingsHave18PointsAtTheirShownSize) {
-    int drawings = 0;
-    for (const std::string& name : decks())
-        for (const std::string& line : split(deck_of(name, true).text, '\n')) {
-            const size_t file = line.find("](diagrams/");
-            if (file == std::string::npos) continue;
-            ++drawings;
-            const std::string svg = line.substr(file + 2, line.find(')', file) - file - 2);
-            const std::string drawing = read_file(course_root() / "assets" / svg);
-            const std::vector<double> sizes = numbers_after(drawing, "font-size=\""),
-                                      shown = numbers_after(line, "![w:"),
-                                      width = numbers_after(drawing, "viewBox=\"0 0 ");
-            ASSERT_TRUE(!sizes.empty() && !shown.empty() && !width.empty()) << name << ": " << svg;
-            const double least = *std::min_element(sizes.begin(), sizes.end());
-            EXPECT_GE(least * shown[0] / width[0], 23.9) << name << ": " << svg;  // 24 px are 18 pt
-        }
-    EXPECT_GT(drawings, 40);
-}
-
-/// A script that returns the texts of a drawing that leave it or meet, one line each.
-constexpr const char* find_bad_texts = R"js((() => {
-  const svg = document.documentElement, paper = svg.viewBox.baseVal, back = svg.getScreenCTM().inverse(), found = [];
-  const texts = [...document.querySelectorAll('text')].map(element => {
-    const box = element.getBoundingClientRect();
-    const low = new DOMPoint(box.left, box.top).matrixTransform(back), high = new DOMPoint(box.right, box.bottom).matrixTransform(back);
-    const rim = 0.2 * (high.y - low.y);  // a line is higher than its letters
-    return { words: element.textContent, left: low.x, right: high.x, top: low.y + rim, bottom: high.y - rim };
-  });
-  texts.forEach((a, i) => {
-    if (a.left < 1 || a.top < 0 || a.right > paper.width - 1 || a.bottom > paper.height) found.push('outside: ' + a.words);
-    for (const b of texts.slice(0, i))
-      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) found.push(a.words + ' meets ' + b.words);
-  });
-  return found;
-})())js";
-
-TEST(Slides, TextsOfDrawingsAreInsideThemAndApart) {
-    for (const auto& entry : fs::directory_iterator(course_root() / "assets/diagrams")) {
-        browser().open(entry.path());
-        EXPECT_EQ(Names(browser().eval(find_bad_texts)), Names{}) << entry.path();
-    }
-    const TemporaryFolder folder;
-    folder.write("bad.svg",
-                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 50' font-size='20'>"
-                 "<text x='80' y='30'>outside</text><text x='10' y='30'>a b</text><text x='20' y='30'>c</text></svg>");
-    browser().open(folder.path() / "bad.svg");
-    EXPECT_EQ(Names(browser().eval(find_bad_texts)), (Names{"outside: outside", "c meets a b"}));
-}
-
 /// Returns the words of each command in a table of the text, which the table's head begins with `./relief shot`.
 std::vector<Names> shots_in_tables(const std::string& text) {
     constexpr std::string_view begin = "| `";
@@ -451,6 +394,20 @@ TEST_P(MadeDeck, HasItsPicturesAndFormulasAndFitsItsFrame) {
     EXPECT_GE(int(browser().eval("document.querySelectorAll('svg[data-marpit-svg]').length")), 8);
     EXPECT_FALSE(contains(read_file(page), "src=\"http")) << "slides need no network";
     EXPECT_EQ(browser().eval("document.documentElement.lang"), "en") << "whatever LANG says";
+}
+
+TEST(Slides, KeysOnASliderMoveItsDrawingAndNotTheDeck) {
+    const std::string name = "10_parallax_offset";
+    const Names made = decks_to_make();
+    ASSERT_TRUE(std::find(made.begin(), made.end(), name) != made.end()) << "its first drawing moves";
+    browser().open(made_slides() / (name + ".html"));
+    const std::string hash = browser().eval(
+        "location.hash = '#' + (1 + [...document.querySelectorAll('svg[data-marpit-svg]')].findIndex(one => "
+        "one.querySelector('[data-moves]')))");
+    ASSERT_TRUE(browser().tab_to(".sliders input"));
+    browser().press("ArrowRight", 5);
+    EXPECT_EQ(browser().eval("document.activeElement.value"), "50");
+    EXPECT_EQ(browser().eval("location.hash"), hash);
 }
 
 TEST(Slides, AxeFindsNothingOnADeck) {
