@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <list>
@@ -29,6 +30,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns the pictures of a lab's methods, one after the other on its card, if the lab is one of those whose methods
+/// differ at a glance. They are the pictures of the lab's page.
+pages::Value turning(const pages::LabPage& page) {
+    constexpr std::array at_a_glance = {1, 10, 13, 15};
+    if (std::find(at_a_glance.begin(), at_a_glance.end(), page.lab->number) == at_a_glance.end()) return {};
+    pages::List frames;
+    for (const pages::LabPage::Method& method : page.methods)
+        frames.push_back(pages::Fields{{"picture", method.picture}, {"name", page.knob + " " + method.name}});
+    if (frames.size() < 2) return {};
+    return pages::Fields{{"count", frames.size()}, {"frames", std::move(frames)}};
+}
+
 pages::Fields card(const pages::LabPage& page) {
     const Manifest& manifest = *page.manifest;
     const size_t tasks = manifest.tasks.size();
@@ -40,6 +53,7 @@ pages::Fields card(const pages::LabPage& page) {
             {"live", tasks == 0 ? "" : page.live},
             {"elective", manifest.elective},
             {"picture", page.card},
+            {"turning", turning(page)},
             {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
             {"tasks", tasks == 0 ? ""
                                  : fmt::format("{}{} {}, {}", manifest.elective ? "elective: " : "", tasks,

@@ -187,6 +187,28 @@ TEST_F(Site, TheFirstPageListsEveryLabWithItsPointsAndExistingSlides) {
     EXPECT_EQ(decks, Names{"slides/01_specular_highlights.html"});
 }
 
+TEST_F(Site, CardsTurnTheMethodsOfALabUnlessAReaderWantsThemStill) {
+    const char* strip = "document.querySelector('#lab-01 .turning > div')";
+    const auto style = [&](const std::string& name) {
+        return browser().eval(std::string("getComputedStyle(") + strip + ")." + name);
+    };
+    open("index.html");
+    EXPECT_EQ(
+        browser().eval(std::string("[...") + strip + ".querySelectorAll('img')].map(one => one.getAttribute('src'))"),
+        (Names{"01_specular_highlights/method-vertex-normal.png", "01_specular_highlights/method-normal-map.png"}))
+        << "the pictures of the lab's page";
+    EXPECT_EQ(style("animationName"), "frames");
+    EXPECT_EQ(style("animationTimingFunction"), "steps(2, jump-none)");
+    EXPECT_EQ(style("animationPlayState"), "running");
+    ASSERT_TRUE(browser().tab_to(".hold input"));
+    browser().press("Space");
+    EXPECT_EQ(style("animationPlayState"), "paused");
+    browser().call("Emulation.setEmulatedMedia",
+                   {{"features", {{{"name", "prefers-reduced-motion"}, {"value", "reduce"}}}}});
+    EXPECT_EQ(browser().eval(std::string(strip) + ".checkVisibility()"), false);
+    browser().dark(false);
+}
+
 TEST_F(Site, OnTheFirstPageACardIsOneTabStopAndALinkSkipsToTheCards) {
     open("index.html");
     EXPECT_EQ(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(card => "
