@@ -52,8 +52,11 @@ public:
             style_.axes, gnuplot_text(title), style_.title, text_color);
         const bool any_wide =
             std::any_of(timed_.begin(), timed_.end(), [&](size_t place) { return rows_[place].is_wide(); });
-        text += fmt::format("set xlabel '{} per {}{}' noenhanced\n", unit_, first.item,
-                            any_wide ? "; hollow: p90 over twice p10" : "");
+        std::string below = fmt::format("{} per {}", unit_, first.item);
+        constexpr const char* note = "; hollow: p90 over twice p10";  // the page says so, too
+        if (any_wide && 0.62 * style_.axes * double(below.size() + std::string_view(note).size()) < plot_size().x)
+            below += note;
+        text += fmt::format("set xlabel '{}' noenhanced\n", below);
         return text + (has_errors(rows_, timed_) ? points() : bars());
     }
 
@@ -107,7 +110,7 @@ private:
         const double left = all.left / 1.25, right = all.right * 1.9;
         std::string text = fmt::format(
             "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
-            "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\n"
+            "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\nset bars 0\n"
             "{}",
             plural(all.unit), left, right, all.floor, all.ceiling, time_tics(left, right));
         if (all.any_zero) text += fmt::format("set ytics add ('0' {})\n", all.floor);
@@ -155,8 +158,9 @@ private:
             }
             text += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n", time(place),
                                 peer_color);
-            if (room.low.y < 0) continue;  // no room left
-            taken.push_back(room);
+            if (room.low.y < 0) continue;           // no room left
+            const double rim = 0.4 * style_.names;  // sizes are approximate
+            taken.push_back({room.low - rim, room.high + rim});
             text += fmt::format(
                 "set label {} at {},graph {:.3f} rotate by 90 right font ',{}' textcolor rgb '{}' noenhanced offset "
                 "-0.5,0\n",
@@ -170,25 +174,64 @@ private:
         const char* align;
         double x, y;
     };
-    static constexpr std::array<Side, 4> sides = {
-        {{"left", 0.7, 0.45}, {"right", -0.7, 0.45}, {"left", 0.7, -0.45}, {"right", -0.7, -0.45}}};
+    static constexpr std::array<Side, 8> sides = {{{"left", 0.7, 0.45},
+                                                   {"right", -0.7, 0.45},
+                                                   {"left", 0.7, -0.45},
+                                                   {"right", -0.7, -0.45},
+                                                   {"left", 0.7, 1.35},
+                                                   {"right", -0.7, 1.35},
+                                                   {"left", 0.7, -1.35},
+                                                   {"right", -0.7, -1.35}}};
+
+    /// A rectangle that no name may cover, and the row whose name stands beside it.
+    struct Mark {
+        Room room;
+        std::optional<size_t> of = {};
+    };
+    /// Returns the bars of all points with the points, and the steps of the front.
+    std::vector<Mark> marks(const Span& all) const {
+        constexpr double radius = 4;
+        std::vector<Mark> marks;
+        const auto line = [&](glm::dvec2 a, glm::dvec2 b) { marks.push_back({{glm::min(a, b), glm::max(a, b)}}); };
+        for (const size_t place : timed_) {
+            const BenchRow& row = rows_[place];
+            if (row.error.unit.empty()) continue;
+            const double error = std::max(row.error.mean, all.floor);
+            const glm::dvec2 point = place_of(place, all);
+            const double begin = std::min(place_of(row.times.p10 * scale_, error, all).x, point.x - radius),
+                         end = std::max(place_of(row.times.p90 * scale_, error, all).x, point.x + radius);
+            marks.push_back({{{begin, point.y - radius}, {end, point.y + radius}}, place});
+        }
+        std::vector<size_t> front = front_;
+        std::sort(front.begin(), front.end(), [&](size_t a, size_t b) { return time(a) < time(b); });
+        for (size_t i = 1; i < front.size(); ++i) {
+            const glm::dvec2 from = place_of(front[i - 1], all), to = place_of(front[i], all);
+            line(from, {to.x, from.y}), line({to.x, from.y}, to);
+        }
+        return marks;
+    }
 
     /// Returns the points whose name has room beside them, with the index of its position in `sides`. The front comes
     /// first, and names do not overlap.
     std::map<size_t, size_t> named_points(const Span& all, std::vector<Room> taken) const {
         std::map<size_t, size_t> named;
+        const std::vector<Mark> marks = this->marks(all);
         const auto name = [&](size_t place) {
             const glm::dvec2 point = place_of(place, all);
             const double length = width(label(place));
             const size_t first = point.x > 0.7 * plot_size().x ? 1 : 0;
-            for (const size_t i : {first, 1 - first, 2 + first, 3 - first}) {
+            for (const size_t i :
+                 {first, 1 - first, 2 + first, 3 - first, 4 + first, 5 - first, 6 + first, 7 - first}) {
                 const glm::dvec2 near = point + glm::dvec2(0.7 * sides[i].x, 1.5 * sides[i].y) * double(style_.axes);
                 const double left = sides[i].x > 0 ? near.x : near.x - length;
                 const Room room{{left, near.y - height() / 2}, {left + length, near.y + height() / 2}};
                 if (left < 0 || room.high.x > plot_size().x + 14 || room.low.y < 0 ||
-                    std::any_of(taken.begin(), taken.end(), [&](const Room& other) { return room.meets(other); }))
+                    std::any_of(taken.begin(), taken.end(), [&](const Room& other) { return room.meets(other); }) ||
+                    std::any_of(marks.begin(), marks.end(),
+                                [&](const Mark& mark) { return mark.of != place && room.meets(mark.room); }))
                     continue;
-                taken.push_back(room);
+                const double rim = 0.2 * style_.names;  // sizes are approximate
+                taken.push_back({room.low - rim, room.high + rim});
                 named.emplace(place, i);
                 return;
             }
@@ -267,7 +310,11 @@ private:
     std::string points() const {
         const Span all = span();
         std::vector<Room> taken;
+        const double rim = 0.6 * style_.names;  // places are approximate
+        for (const Mark& mark : marks(all)) taken.push_back({mark.room.low - rim, mark.room.high + rim});
+        const auto marked = std::ptrdiff_t(taken.size());
         std::string text = axes(all) + upright_lines(all, taken);
+        taken.erase(taken.begin(), taken.begin() + marked);  // a point's own bar is no obstacle to its name
         const Blocks data = blocks(all, named_points(all, std::move(taken)));
         for (const auto& [name, block] : data) text += fmt::format("${}{} << END\n{}END\n", name, number_, block);
         return text + layers(data);

@@ -256,16 +256,17 @@ struct CrowdedPage {
 std::string words() { return browser().eval("document.querySelector('#look p').textContent"); }
 const char* const is_shown = "!document.getElementById('look').hidden";
 
-TEST(BenchPage, LabelsNeverOverlapInWideOrNarrowPlots) {
+TEST(BenchPage, LabelsOverlapNeitherLabelsNorBarsInWideOrNarrowPlots) {
     const CrowdedPage page;
     browser().open(page.file);
     browser().eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
     for (const int width : {1440, 390}) {
         browser().width(width);
-        // Among all words in a visible plot, finds pairs that overlap by more than the edge of a letter.
-        const nlohmann::json found = browser().eval(R"((() => {
+        // Among all words in a visible plot, finds pairs that overlap by more than the edge of a letter, and words over
+        // a level line: the bar of a point, or a step of the front. A pale line joins the points of a method.
+        const nlohmann::json found = browser().eval(R"js((() => {
             const overlaps = [];
-            let names = 0;
+            let names = 0, bars = 0;
             for (const plot of document.querySelectorAll('figure svg')) {
                 const boxes = [...plot.querySelectorAll('text')].filter(text => text.textContent.trim())
                     .map(text => [text.textContent.trim(), text.getBoundingClientRect()]).filter(one => one[1].width > 0);
@@ -275,10 +276,24 @@ TEST(BenchPage, LabelsNeverOverlapInWideOrNarrowPlots) {
                     if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
                         Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3) overlaps.push(one + ' on ' + other);
                 }));
+                for (const path of plot.querySelectorAll('g[id*=_plot_] path:not([stroke="rgb(221, 215, 203)"])')) {
+                    const lines = path.getAttribute('d').matchAll(/M([\d.]+),([\d.]+)\s+L([\d.]+),([\d.]+)/g);
+                    for (const [x1, y1, x2, y2] of [...lines].map(one => one.slice(1))) {
+                        if (y1 != y2 || !boxes.length) continue;
+                        ++bars;
+                        const [a, b] = [x1, x2].map(x => new DOMPoint(x, y1).matrixTransform(path.getScreenCTM()));
+                        for (const [one, box] of boxes) {
+                            const rim = 0.25 * (box.bottom - box.top);  // a line is higher than its letters
+                            if (a.x < box.right && box.left < b.x && a.y < box.bottom - rim && box.top + rim < a.y)
+                                overlaps.push(one + ' on a bar');
+                        }
+                    }
+                }
             }
-            return {overlaps, names};
-        })())");
+            return {overlaps, names, bars};
+        })())js");
         EXPECT_EQ(found.at("overlaps"), nlohmann::json::array()) << width;
+        EXPECT_GT(found.at("bars"), 20) << width;
         EXPECT_GT(found.at("names"), 10) << width << ": the claim is empty when no point has its name";
     }
     browser().width(0);
