@@ -417,13 +417,16 @@ TEST_P(EveryLab, MeasuresTheSameNumbersForAPictureOfAnySizeOrSaysThatItDoesNot) 
     EXPECT_EQ(numbers_of({120, 180}, view), numbers_of({256, 144}, view));
 }
 
-/// Discards all fragments and pixels while it exists. A lab then takes the numbers of its captions from an earlier
+/// While it exists, draw calls and clears do nothing. A lab then takes the numbers of its captions from an earlier
 /// draw.
 class WithoutPixels {
 public:
     WithoutPixels() { glEnable(GL_RASTERIZER_DISCARD); }
     WithoutPixels(const WithoutPixels&) = delete;
     ~WithoutPixels() { glDisable(GL_RASTERIZER_DISCARD); }
+
+private:
+    DrawWatch no_draw_{[](const std::function<void()>&) {}};
 };
 
 /// Returns the faults of the words over a view at a size, in the letters of pictures and in those of the window.
