@@ -76,7 +76,9 @@ private:
 
     /// Five filters of the highlight, so far away that a pixel covers many stones.
     void draw_far_walls(const Frame& frame) {
-        const auto tiles = tile_grid(frame.size, int(Settings::filters.size()), 1);
+        const int count = int(Settings::filters.size());
+        const bool is_wide = frame.size.x >= frame.size.y;  // else no name fits into a fifth of the width
+        const auto tiles = tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw_wall(part, Settings::pd, int(i), ""); });
             labels_.caption(frame.size, tiles[i], 0, Settings::filters.names[i]);
