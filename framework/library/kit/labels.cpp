@@ -33,11 +33,6 @@ std::string with_degree_signs(const std::string& text) {
     return result;
 }
 
-/// Returns the place and size of a tile in a frame, from the upper left corner.
-std::pair<glm::vec2, glm::vec2> from_top(glm::ivec2 size, const Tile& tile) {
-    return {{tile.corner.x, size.y - tile.corner.y - tile.size.y}, tile.size};
-}
-
 }  // namespace
 
 Letters Labels::letters(glm::ivec2 size) {
@@ -55,6 +50,11 @@ void Labels::add(PictureWord word) {
     if (std::exchange(draw_, draws_begun()) != draws_begun()) words_.clear();
     word.text = with_degree_signs(word.text), word.end = with_degree_signs(word.end);
     words_.push_back(std::move(word));
+}
+
+void Labels::add_in_tile(glm::ivec2 size, const Tile& tile, PictureWord word) {
+    word.place = {tile.corner.x, size.y - tile.corner.y - tile.size.y}, word.size = tile.size;
+    add(std::move(word));
 }
 
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) {
@@ -82,24 +82,14 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
 
 void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color,
                      float room) {
-    const auto [place, extent] = from_top(size, tile);
-    add({.kind = PictureWord::Kind::caption,
-         .place = place,
-         .size = extent,
-         .text = text,
-         .color = glm::vec4(color, 1),
-         .line = line,
-         .room = room});
+    add_in_tile(
+        size, tile,
+        {.kind = PictureWord::Kind::caption, .text = text, .color = glm::vec4(color, 1), .line = line, .room = room});
 }
 
 void Labels::legend(glm::ivec2 size, const Tile& tile, const std::string& text, glm::vec3 color, int row) {
-    const auto [place, extent] = from_top(size, tile);
-    add({.kind = PictureWord::Kind::legend,
-         .place = place,
-         .size = extent,
-         .text = text,
-         .color = glm::vec4(color, 1),
-         .line = row});
+    add_in_tile(size, tile,
+                {.kind = PictureWord::Kind::legend, .text = text, .color = glm::vec4(color, 1), .line = row});
 }
 
 void Labels::notes(const std::vector<std::string>& notes) {

@@ -64,6 +64,8 @@ private:
     };
     /// Adds a word of this draw, and forgets those of a draw that threw.
     void add(PictureWord word);
+    /// Adds a word whose place and size are those of a tile.
+    void add_in_tile(glm::ivec2 size, const Tile& tile, PictureWord word);
     static std::vector<Corner> corners_of(const WordLayout& layout);
 
     std::vector<PictureWord> words_;  ///< places and sizes in pixels
