@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -27,17 +26,6 @@ namespace fs = std::filesystem;
 
 /// The longer side of a picture, in pixels: enough for a large screen, where three pictures fill a line of the page.
 constexpr int large = 480;
-
-/// Below this, all of a picture looks like one colour.
-constexpr double least_contrast = 0.03;
-
-/// Returns the standard deviation of a picture's values, in [0, 0.5]; 0 without a picture.
-double contrast_of(const Image& picture) {
-    double sum = 0, squares = 0;
-    for (const float value : picture.values) sum += double(value), squares += double(value) * double(value);
-    const double count = std::max<double>(1, double(picture.values.size()));
-    return std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
-}
 
 /// Draws a mistake's pictures and describes it: the contents of an article of the page.
 class MistakeArticle {
@@ -116,7 +104,8 @@ private:
             all.push_back(pages::figure(image, file, kind, caption, check.name + alt, std::move(scale)));
         };
         // A picture of one colour says nothing in the index: there the difference stands for it.
-        clearest_ = contrast_of(shown.drawn) < least_contrast && contrast_of(shown.difference) > least_contrast ? 2 : 0;
+        const double contrast = grade::contrast_of(shown.drawn);
+        clearest_ = contrast < grade::min_contrast && grade::contrast_of(shown.difference) > contrast ? 2 : 0;
         add(number, shown.drawn, "mine", "with the mistake" + what, ", with the mistake");
         add(right, shown.expected, "expected", "right", ", as it should be");
         add(number + "-difference", shown.difference, "difference", "where they differ",
@@ -232,7 +221,9 @@ pages::Value demands_of(const Manifest& manifest, const std::string& task) {
         examples.push_back(pages::Fields{{"asks", example.asks}, {"calls", std::move(calls)}});
     }
     if (examples.empty()) return {};
-    return pages::Fields{{"count", fmt::format("{} demand{}", examples.size(), examples.size() == 1 ? "" : "s")},
+    const bool is_one = examples.size() == 1;
+    return pages::Fields{{"count", fmt::format("{} demand{}", examples.size(), is_one ? "" : "s")},
+                         {"them", is_one ? "it" : "them"},
                          {"examples", std::move(examples)}};
 }
 
