@@ -30,9 +30,12 @@ const Formula minus{Kind::sign, "−"};
 
 /// Replaces signs in a text by their displayed form.
 std::string with_signs(std::string words) {
-    for (const auto& [written, shown] : long_signs)
+    const auto replace = [&](std::string_view written, std::string_view shown) {
         for (size_t at = 0; (at = words.find(written, at)) != std::string::npos; at += shown.size())
             words.replace(at, written.size(), shown);
+    };
+    for (const auto& [written, shown] : long_signs) replace(written, shown);
+    replace(" - ", " − ");  // a minus, not a hyphen
     return words;
 }
 

@@ -70,13 +70,13 @@ TEST(Formula, SignsAndWordsAreEscapedAndTypeset) {
 }
 
 TEST(Formula, LinesHaveCellsOfFormulasAndWords) {
-    const auto lines = formula_lines("\"here\"  a = b  c = d  \"where a <= b\"\n\n  x\n");
+    const auto lines = formula_lines("\"here\"  a = b  c = d  \"where a <= b - c\"\n\n  x\n");
     ASSERT_EQ(lines.size(), 2u);
     ASSERT_EQ(lines[0].size(), 4u);
     EXPECT_TRUE(lines[0][0].is_words);
     EXPECT_EQ(lines[0][0].words, "here");
     EXPECT_EQ(lines[0][2].formula, parse_formula("c = d"));
-    EXPECT_EQ(lines[0][3].words, "where a ≤ b");
+    EXPECT_EQ(lines[0][3].words, "where a ≤ b − c");
     EXPECT_EQ(lines[1][0].formula, parse_formula("x"));
 }
 
