@@ -15,8 +15,10 @@
 #include "framework/library/kit/shadow_map.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/kit/uniforms.h"
+#include "framework/library/maps/slope_moments.h"
 #include "scene.h"
 #include "settings.h"
+#include "truth.h"
 
 namespace relief {
 
@@ -54,8 +56,9 @@ public:
 
     std::optional<Image> truth(const Frame& frame) const override {
         // Every line of sight crosses as many front faces as back faces of a closed surface, so all sums are 0.
-        if (frame.probe.name != "winding" || !surface_.patches().is_closed) return {};
-        return Image(frame.size.x, frame.size.y, 4);
+        if (frame.probe.name == "winding" && surface_.patches().is_closed) return Image(frame.size.x, frame.size.y, 4);
+        if (settings_.view != Settings::eye_only) return {};
+        return adaptive::truth(frame, settings_, surface_);
     }
 
 private:
@@ -146,6 +149,10 @@ private:
         glBindFramebuffer(GL_FRAMEBUFFER, view.seen.target);
     }
 
+    static bool reads_slopes(const Define& purpose) {
+        return purpose.text.empty() || purpose.text == "PROBE_normal" || purpose.text == "PROBE_highlight";
+    }
+
     bool has_backs(const Define& purpose) const { return !surface_.is_one_sided() || purpose.text == "PROBE_winding"; }
 
     /// Uses the surface's program, and sets all its uniforms.
@@ -156,11 +163,13 @@ private:
                            Settings::methods.define(settings_.method), Settings::levels_ofs.define(settings_.levels_of),
                            Settings::mips.define(settings_.mip), settings_.fade ? "FADE" : "",
                            Settings::shadows.define(purpose.text.empty() ? settings_.shadow : Settings::no_shadow),
+                           reads_slopes(purpose) ? Settings::lost_slopes_choices.define(settings_.lost_slopes) : "",
                            color_define("OUTSIDE_COLOR", outside_color), color_define("AWAY_COLOR", away_color),
                            color_define("FADED_COLOR", faded_color)});
         glUseProgram(program);
         surface_.set(program, view.seen);
         set_colors(program, view.seen);
+        set_slopes(program);
         if (settings_.shadow != Settings::no_shadow && purpose.text.empty()) shadow_map_.set(program, 4);
         set_levels(program, view.eye);
         set_culling(program, view, !has_backs(purpose));
@@ -186,6 +195,22 @@ private:
         program.set("u_seen_from", seen.camera.eye() - surface_.origin);
         program.set("u_to_light", settings_.light.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
+    }
+
+    /// Binds the slopes of the normal map. Only LEADR reads them.
+    void set_slopes(const Program& program) {
+        program.set("u_shininess", settings_.shininess);
+        const auto& [slopes, squares] = slopes_.get({surface_.material.version()}, [this] {
+            const auto maps = std::make_shared<std::optional<SlopeMaps>>();  // both textures take their map from it
+            const auto made = [maps, this]() -> const SlopeMaps& {
+                if (!*maps) *maps = slope_maps(surface_.material.normals());
+                return **maps;
+            };
+            return SlopeTextures{Texture("slopes", [made] { return made().slopes; }),
+                                 Texture("squared slopes", [made] { return made().squares; })};
+        });
+        program.set("s_slopes", 5, slopes);
+        program.set("s_squares", 6, squares);
     }
 
     void set_culling(const Program& program, const View& view, bool with_backs) const {
@@ -239,6 +264,10 @@ private:
     Settings settings_;
     DisplacedSurface surface_;
     PatchTexture known_;
+    struct SlopeTextures {
+        Texture slopes, squares;
+    };
+    Kept<SlopeTextures, int> slopes_;  ///< by the version of the material
     ShadowMap shadow_map_;
     Labels labels_;
 

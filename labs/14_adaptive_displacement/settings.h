@@ -28,11 +28,14 @@ struct Settings {
     static constexpr auto shadows =
         choices<Shadow>({{no_shadow, "none"}, {shadow_of_all, "all", "SHADOW"}, {shadow_of_drawn, "drawn", "SHADOW"}});
 
+    enum LostSlopes { slopes_lost, leadr };
+    static constexpr auto lost_slopes_choices = choices<LostSlopes>({{slopes_lost, "none"}, {leadr, "leadr", "LEADR"}});
+
     int view = both, method = by_error, levels_of = edges, spacing = 1, mip = mip_base, cull = cull_all,
-        shadow = no_shadow;
+        shadow = no_shadow, lost_slopes = slopes_lost;
     float level = 8, nearest = 1, farthest = 16, finest = 5, coarsest = 0, segment = 8, budget = 4;
     bool fade = false, wire = false;
-    float fade_begin = 6, fade_end = 12;
+    float fade_begin = 6, fade_end = 12, shininess = 24;
     DistantLight light{-60, 30};
 
     bool may_crack() const { return levels_of == patches || mip == mip_of_patch; }
@@ -91,6 +94,11 @@ struct Settings {
         knobs.slider("fade_end", fade_end, 0, 64,
                      KnobHelp("where the fade ends, metres from the eye").only("fade", {"on"}));
         light.knobs(knobs);
+        knobs.slider("shininess", shininess, 1, 1000,
+                     KnobHelp("exponent of the highlight").only("view", {"both", "eye"}));
+        knobs.choice("lost_slopes", lost_slopes, lost_slopes_choices.names,
+                     KnobHelp("what slopes smaller than a pixel do to the highlight: nothing, or LEADR: they widen it")
+                         .only("view", {"both", "eye"}));
         knobs.choice("shadow", shadow, shadows.names,
                      "patches that cast a shadow on the surface: none, all, or only those that are not culled");
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "framework/library/maps/slope_moments.h"
+
 namespace relief {
 namespace {
 
@@ -22,7 +24,7 @@ WaveMaps empty_wave_maps(int texels) {
 /// Writes a texel of all maps, from the slopes and the height there.
 void write_texel(WaveMaps& maps, int x, int row, const glm::dvec3& wave) {
     const double up = 1 / std::sqrt(1 + wave.x * wave.x + wave.y * wave.y);
-    const glm::dvec3 squares(wave.x * wave.x, wave.y * wave.y, wave.x * wave.y), normal(-wave.x * up, -wave.y * up, up);
+    const glm::dvec3 squares = squares_of(glm::dvec2(wave)), normal(-wave.x * up, -wave.y * up, up);
     for (int c = 0; c < 3; ++c) {
         maps.waves.pixel(x, row)[c] = float(wave[c]);
         maps.moments.pixel(x, row)[c] = float(squares[c]);

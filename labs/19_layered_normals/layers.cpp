@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/core/base/parallel.h"
+#include "framework/library/maps/slope_moments.h"
 
 namespace relief::layered_normals {
 namespace {
@@ -112,13 +113,14 @@ LayerMaps layer_maps(Height (*layer)(glm::dvec2 uv), int side) {
             for (int x = 0; x < side; ++x) {
                 const Height at = layer({(x + 0.5) / side, 1 - (y + 0.5) / side});
                 const glm::dvec2 slope = at.slope;
+                const glm::dvec3 squares = squares_of(slope);
                 const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope, 1));
                 const auto put = [&](Image& image, const glm::dvec4& value) {
                     for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(value[c]);
                 };
                 put(maps.normals, {normal, at.height});
-                put(maps.slopes, {slope, slope * slope});
-                put(maps.bends, {slope.x * slope.y, at.bend});
+                put(maps.slopes, {slope, squares.x, squares.y});
+                put(maps.bends, {squares.z, at.bend});
             }
     });
     return maps;

@@ -7,6 +7,7 @@
 #include "19_layered_normals/blends.glsl"
 #include "19_layered_normals/stone.glsl"
 #include "common/heat.glsl"
+#include "common/slope_moments.glsl"
 #include "common/srgb.glsl"
 
 in vec2 v_clip;
@@ -118,7 +119,7 @@ void add_moments(inout vec2 mean, inout vec3 variance, sampler2D slopes, sampler
     vec4 texel = textureLod(slopes, uv, level);
     mean += strength * texel.xy;
     float product = textureLod(bends, uv, level).x;
-    variance += strength * strength * (vec3(texel.zw, product) - vec3(texel.xy * texel.xy, texel.x * texel.y));
+    variance += strength * strength * variance_of_slopes(texel.xy, vec3(texel.zw, product));
 }
 
 // Returns one over the variance of the slopes of a texel. A Blinn-Phong lobe is nearly a Gaussian of slopes. GGX has
@@ -176,7 +177,7 @@ float highlight(Layers layers, Place place) {
     add_moments(mean, variance, s_base_slopes, s_base_bends, place.position / u_tile.x, level_of(place, u_tile.x), u_strength.x);
     if (layers.strength > 0.0)
         add_moments(mean, variance, s_detail_slopes, s_detail_bends, place.position / u_tile.y, level_of(place, u_tile.y), layers.strength);
-    mat2 sigma = mat2(variance.x, variance.z, variance.z, variance.y);
+    mat2 sigma = covariance_matrix(variance);
     vec2 off = wanted_slope(place.to_eye) - mean;
     return falls(dot(off, inverse(sigma) * off)) / (texel_precision() * sqrt(determinant(sigma)));
 #else

@@ -487,5 +487,58 @@ TEST(AdaptiveDisplacement, CulledPatchesCastAShadowUnlessOnlyDrawnOnesDo) {
 
 TEST(AdaptiveDisplacement, AFlatGroundCastsNoShadow) { EXPECT_EQ(changed_by_shadows("all", "none", "all", "0"), 0u); }
 
+/// Far hills whose displacement is gone, towards a low sun.
+Shot faded_hills(const char* lost_slopes, const char* probe, const char* depth = "0.1") {
+    Shot shot = eye({{"patches", "24"},
+                     {"method", "size"},
+                     {"repeat", "4"},
+                     {"size", "256"},
+                     {"depth", depth},
+                     {"fade", "on"},
+                     {"fade_begin", "0"},
+                     {"fade_end", "1"},
+                     {"shininess", "60"},
+                     {"light_yaw", "-150"},
+                     {"light_pitch", "20"},
+                     {"lost_slopes", lost_slopes}},
+                    probe, {32, 24});
+    shot.camera = {.yaw = 30, .pitch = 20, .distance = 30, .target = {0, 0, 0}, .field_of_view = 30};
+    return shot;
+}
+
+TEST(AdaptiveDisplacement, LeadrComesNearerToAllOfTheDisplacement) {
+    for (const char* probe : {"normal", "highlight"}) {
+        const double without = error_of("14", faded_hills("none", probe)).mean,
+                     with = error_of("14", faded_hills("leadr", probe)).mean;
+        EXPECT_LT(with, (probe == std::string("normal") ? 0.6 : 0.15) * without) << probe << " " << without;
+    }
+}
+
+TEST(AdaptiveDisplacement, AHighlightOfAPlaneHasNothingToWiden) {
+    // On a plane all slopes are 0. A Beckmann lobe with alpha² = 2 / (shininess + 2) then falls with the slope h.xz /
+    // h.y of the direction h halfway between eye and light.
+    for (const char* lost_slopes : {"none", "leadr"}) {
+        const Shot shot = faded_hills(lost_slopes, "highlight", "0");
+        const Image drawn_ = drawn("14", shot), up = drawn("14", faded_hills(lost_slopes, "normal", "0"));
+        const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+        const double yaw = glm::radians(-150.0), pitch = glm::radians(20.0);
+        const glm::dvec3 to_light(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+        int compared = 0;
+        double brightest = 0;
+        for (int y = 0; y < shot.size.y; ++y)
+            for (int x = 0; x < shot.size.x; ++x) {
+                const float share = *drawn_.pixel(x, y);
+                if (share == no_surface) continue;
+                const glm::dvec3 halfway = to_light - frame.ray(x, y).direction;
+                const double slope = std::hypot(halfway.x, halfway.z) / halfway.y;
+                EXPECT_NEAR(double(share), std::exp(-62 * slope * slope / 2), 0.01) << x << "," << y;
+                EXPECT_NEAR(double(up.pixel(x, y)[1]), 1, 1e-4) << "8 bits hold no 0";
+                brightest = std::max(brightest, double(share)), ++compared;
+            }
+        EXPECT_GT(compared, 100);
+        EXPECT_GT(brightest, 0.9) << "the picture has the middle of the lobe";
+    }
+}
+
 }  // namespace
 }  // namespace relief
