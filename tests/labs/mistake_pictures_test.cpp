@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "framework/core/base/paths.h"
 #include "framework/library/maps/visualize.h"
+#include "framework/staff/questions/mistake_riddles.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -81,6 +83,37 @@ TEST(MistakePictures, AMistakeInCppIsCompiledAndDrawn) {
     for (const MistakeInfo& mistake : pictures.manifest().mistakes)
         if (mistake.edits.front().file.ends_with(".cpp")) return expect_shown(lab, pictures, mistake);
     FAIL() << "there is none";
+}
+
+TEST(MistakePictures, ARiddleShowsItsMistakeInAPublicViewBesideThreeOtherHints) {
+    const LabEntry& lab = find_lab("10");
+    grade::MistakePictures pictures(lab, {}, 96);
+    const Manifest& manifest = pictures.manifest();
+    int riddles = 0;
+    for (const TaskInfo& task : manifest.tasks) {
+        const auto riddle = grade::riddle_of(pictures, lab, task, 96);
+        if (!riddle) continue;
+        ++riddles;
+        EXPECT_EQ(riddle->check->task, task.id);
+        EXPECT_FALSE(riddle->check->hidden);
+        ASSERT_EQ(std::set<std::string>(riddle->hints.begin(), riddle->hints.end()).size(), 4U) << task.id;
+        EXPECT_GE(double(difference(riddle->right, riddle->wrong, 24.0 / 255 + 1e-6).pixels_over),
+                  0.05 * double(riddle->right.pixel_count()));
+        // Of all mistakes with one of these hints, only those with the answer's draw the picture.
+        Shot shot = riddle->check->shot;
+        shot.size = {riddle->wrong.width, riddle->wrong.height};
+        if (!riddle->is_probe) shot.probe = {};
+        for (const MistakeInfo& mistake : manifest.mistakes)
+            for (size_t i = 0; i < 4; ++i) {
+                if (mistake.task != task.id || mistake.hint != riddle->hints[i]) continue;
+                const auto drawn = std::move(pictures.draw(mistake, {shot}).front().image);
+                if (!drawn) continue;
+                const Image seen = riddle->is_probe ? visualize_probe(*drawn, manifest.probe(shot.probe.name).colors())
+                                                    : visualize_picture(*drawn);
+                EXPECT_EQ(seen.values == riddle->wrong.values, i == riddle->answer) << task.id << " " << mistake.id;
+            }
+    }
+    EXPECT_GE(riddles, 2);
 }
 
 TEST(MistakePictures, LeaveTheCourseUnchanged) {

@@ -99,7 +99,8 @@ class Site {
 public:
     Site(fs::path folder, std::vector<const LabEntry*> labs, bool is_live)
         : folder_(std::move(folder)), labs_(std::move(labs)), is_live_(is_live) {
-        if (!is_live) slides_.emplace("slides", folder_), bench_.emplace("bench", folder_);
+        if (!is_live)
+            for (const char* name : {"slides", "bench", "quiz"}) others_.try_emplace(name, name, folder_);
     }
 
     /// Makes a page with one picture for each lab, which takes seconds, and calls `ready`. Then adds handouts and
@@ -109,7 +110,7 @@ public:
         for_each_lab("first picture of lab", [&](const LabEntry& lab) { open(lab); });
         link_neighbours();
         draw_hero();
-        if (!is_live_) slides_->copy(), bench_->copy();
+        for (const auto& [name, other] : others_) other.copy();
         write_file(folder_ / "accessibility.html", accessibility());
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
@@ -162,9 +163,9 @@ private:
         if (is_live_) {
             page.live = pages::live_page_file(entry);
         } else {
-            page.slides = slides_->place(entry.folder + ".html");
-            page.slides_to_print = slides_->place(entry.folder + ".pdf");
-            page.bench = bench_->place("index.html");
+            page.slides = others_.at("slides").place(entry.folder + ".html");
+            page.slides_to_print = others_.at("slides").place(entry.folder + ".pdf");
+            page.bench = others_.at("bench").place("index.html");
         }
         pages_.push_back(std::move(page));
     }
@@ -311,7 +312,9 @@ private:
             if (!place.empty()) links.push_back(pages::Fields{{"name", name}, {"place", place}});
         };
         if (!pages_.empty()) add("Try in a browser", pages_.front().live);
-        if (!is_live_) add("Speed and error", bench_->place("index.html"));
+        if (is_live_) return links;
+        add("Speed and error", others_.at("bench").place("index.html"));
+        add("Which mistake made this picture?", others_.at("quiz").place("index.html"));
         return links;
     }
 
@@ -374,7 +377,8 @@ private:
         if (!staff_is_here() || is_live_) return;
         if (std::none_of(pages_.begin(), pages_.end(), [](const pages::LabPage& page) { return !page.slides.empty(); }))
             missing.emplace_back("slides");
-        if (!bench_->has("index.html")) missing.emplace_back("measurements");
+        if (!others_.at("bench").has("index.html")) missing.emplace_back("measurements");
+        if (!others_.at("quiz").has("index.html")) missing.emplace_back("questions about mistakes");
         if (!missing.empty())
             print_note(fmt::format("the site has no {}: ./relief site, in {}, makes all", join(missing, " and no "),
                                    course_root().string()));
@@ -383,7 +387,7 @@ private:
     fs::path folder_;
     std::vector<const LabEntry*> labs_;
     bool is_live_;
-    std::optional<Others> slides_, bench_;  ///< unless the site is live
+    std::map<std::string, Others> others_;  ///< slides, measurements, questions; none if the site is live
     pages::Value hero_;
     std::map<const LabEntry*, std::string> broken_;  ///< with the reason
     std::list<Manifest> manifests_;                  ///< pages point to these and to each other

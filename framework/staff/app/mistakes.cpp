@@ -16,6 +16,7 @@
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
+#include "framework/staff/app/quiz.h"
 #include "framework/staff/app/share.h"
 #include "framework/staff/grade/mistake_pictures.h"
 
@@ -303,17 +304,29 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     return drawn.failures == 0 ? 0 : 1;
 }
 
+/// Writes a page of questions about the known mistakes of one lab, or of all if `lab` is empty. It goes to `folder`, or
+/// to the course's build folder if that is empty.
+int show_quiz(const std::string& lab, fs::path folder, ContextChoice choice) {
+    if (folder.empty()) folder = course_root() / "build" / "quiz";
+    make_folder(folder);
+    write_quiz(with_mistakes(lab).first, folder, choice);
+    fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
+    return 0;
+}
+
 class MistakesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, false);
-        options.value("-o", "FOLDER", output_, "folder for the page [the course's build/mistakes]");
+        options.flag("--quiz", is_quiz_, "for students, without edits: questions with pictures and four hints each");
+        options.value("-o", "FOLDER", output_, "folder for the page [the course's build/mistakes, or build/quiz]");
         options.value("--context", "NAME", context_, context_help);
     }
-    int run() override { return show_mistakes(lab_, output_, context_kind(context_)); }
+    int run() override { return (is_quiz_ ? show_quiz : show_mistakes)(lab_, output_, context_kind(context_)); }
 
 private:
     std::string lab_, output_, context_ = "auto";
+    bool is_quiz_ = false;
 };
 RELIEF_COMMAND(MistakesCommand, 15, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
 

@@ -6,17 +6,18 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <random>
 #include <set>
+#include <span>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
-#include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
 #include "framework/course/check/lone_function.h"
 #include "framework/course/check/task_text.h"
 #include "framework/library/maps/visualize.h"
 #include "framework/staff/grade/variation.h"
+#include "framework/staff/questions/dice.h"
+#include "framework/staff/questions/mistake_riddles.h"
 
 namespace relief::grade {
 namespace {
@@ -28,18 +29,6 @@ constexpr int digits_of_answers = 4;
 /// How far an answer may be off, and how far rounded arguments may move a result, as shares of its largest number.
 constexpr double share_of_margin = 0.005, share_of_rounding = 0.0025;
 constexpr glm::ivec2 sheet_size{240, 180};
-
-std::mt19937 dice_of(const std::string& seed) {
-    const std::string words = sha256(seed);
-    std::seed_seq sequence(words.begin(), words.end());
-    return std::mt19937(sequence);
-}
-
-/// The same order with every standard library, unlike std::shuffle().
-template <class List>
-void shuffle(List& list, std::mt19937& dice) {
-    for (size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[dice() % i]);
-}
 
 double size_of(const std::vector<float>& numbers) {
     double largest = 0;
@@ -544,23 +533,18 @@ private:
     /// `pictures`: the solution's, then one of each mistake. The question is about the picture `right`.
     bool add_mistake(const TaskInfo& task, const ChangeView& view, const std::vector<const MistakeInfo*>& mistakes,
                      const std::vector<Image>& pictures, size_t right) {
-        const Image& shown = pictures[right];
-        if (shown.values.empty() || pictures[0].values.empty() || !are_distinct(shown, pictures[0])) return false;
-        std::vector<size_t> choices = {right};
-        for (size_t i = 1; i < pictures.size() && choices.size() < 4; ++i)
-            if (!pictures[i].values.empty() && are_distinct(shown, pictures[i]) &&
-                std::none_of(choices.begin(), choices.end(),
-                             [&](size_t other) { return mistakes[other - 1]->hint == mistakes[i - 1]->hint; }))
-                choices.push_back(i);
-        if (choices.size() < 4) return false;
+        std::vector<std::string> hints;
+        for (const MistakeInfo* one : mistakes) hints.push_back(one->hint);
+        std::vector<size_t> choices = choices_beside(right - 1, pictures[0], std::span(pictures).subspan(1), hints);
+        if (choices.empty()) return false;
         Question question = begun(QuestionKind::mistake, task, *view.check);
         question.probe = view.shot.probe.name;
-        question.pictures = {pictures[0], shown};
+        question.pictures = {pictures[0], pictures[right]};
         std::mt19937 dice = dice_of(seed_ + "|mistake|" + task.id);
         shuffle(choices, dice);
         for (size_t i = 0; i < choices.size(); ++i) {
-            question.hints.push_back(mistakes[choices[i] - 1]->hint);
-            if (choices[i] == right) question.answer = letter(i);
+            question.hints.push_back(hints[choices[i]]);
+            if (choices[i] == right - 1) question.answer = letter(i);
         }
         result_.questions.push_back(std::move(question));
         return true;

@@ -287,7 +287,7 @@ TEST_F(Script, BuildsTheSiteInOrderAndOnlyOutdatedParts) {
     folder_.write("framework/staff/staff.cmake", "");
     stand_in("ninja",
              "[[ -e build/bin/relief ]] && exit\nmkdir -p build/bin\n"
-             "printf '#!/bin/bash\\necho \"relief $*\" >>calls; mkdir -p build/$1\\n"
+             "printf '#!/bin/bash\\necho \"relief $*\" >>calls; [[ $2 == --quiz ]] && set quiz\\nmkdir -p build/$1\\n"
              "touch build/$1/{index,00_relief}.html\\n' >build/bin/relief && chmod +x build/bin/relief");
     const auto made = [&] {
         const Result result = run({"bash", folder_.path() / "relief", "site"},
@@ -301,10 +301,10 @@ TEST_F(Script, BuildsTheSiteInOrderAndOnlyOutdatedParts) {
             if (line.starts_with("relief ")) commands += line.substr(7) + "; ";
         return commands;
     };
-    EXPECT_EQ(made(), "slides; bench --quick; gallery; mistakes; ");
+    EXPECT_EQ(made(), "slides; bench --quick; mistakes --quiz; gallery; mistakes; ");
     EXPECT_EQ(made(), "");
     folder_.write("shaders/changed.glsl", "");
-    EXPECT_EQ(made(), "slides; gallery; mistakes; ") << "measurements stay";
+    EXPECT_EQ(made(), "slides; mistakes --quiz; gallery; mistakes; ") << "measurements stay";
     folder_.write("build/bench/index.html", "measured at length");
     EXPECT_EQ(made(), "gallery; ") << "it takes a copy";
     std::filesystem::remove(folder_.path() / "build/mistakes/index.html");

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/core/base/file.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/pages/template.h"
 #include "tests/browser.h"
 #include "tests/course/app/course_copy.h"
 
@@ -369,6 +371,38 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
         return all;
     };
     EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
+}
+
+TEST(Quiz, AsksWithoutScriptsAndTellsNothingOfTheEdits) {
+    const TemporaryFolder folder;
+    const Result made = run({relief_program(), "mistakes", "10", "--quiz", "-o", folder.path().string()});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const std::string page = read_file(folder.path() / "index.html");
+    const Manifest lab = load_manifest(fs::path(source_folder) / "labs" / lab_10 / "lab.toml");
+    for (const MistakeInfo& mistake : lab.mistakes) {
+        EXPECT_FALSE(contains(page, mistake.id)) << mistake.id;
+        for (const Edit& edit : mistake.edits) {
+            EXPECT_FALSE(contains(page, pages::html(edit.find))) << mistake.id;
+            EXPECT_TRUE(edit.replace.size() < 5 || !contains(page, pages::html(edit.replace))) << mistake.id;
+        }
+    }
+    EXPECT_FALSE(contains(page, "<script"));
+    browser().open(folder.path() / "index.html");
+    EXPECT_TRUE(browser().load_images());
+    const auto count = [](const char* selector) {
+        return int(browser().eval("document.querySelectorAll(" + json(selector).dump() + ").length"));
+    };
+    const int questions = count("article");
+    EXPECT_GE(questions, 2);
+    EXPECT_EQ(count("article li"), 4 * questions);
+    EXPECT_EQ(count("article img"), 2 * questions);
+    EXPECT_EQ(count("details"), questions);
+    EXPECT_EQ(count("details[open]"), 0);
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('article')].every(one => {"
+                             " const [letter, hint] = one.querySelector('details p').textContent.split(/\\. (.*)/s);"
+                             " return one.querySelectorAll('li')['ABCD'.indexOf(letter)].textContent == hint; })"),
+              true)
+        << "the answer is the hint of its letter";
 }
 
 /// The page of lab 02's mistakes.

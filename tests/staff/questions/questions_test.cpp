@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "framework/staff/questions/mistake_riddles.h"
 #include "tests/support.h"
 
 namespace relief::grade {
@@ -76,6 +77,18 @@ TEST(Questions, PicturesDifferByFivePercentOfTheirPixels) {
     EXPECT_EQ(distinct_pictures({with(0, 0), with(50, 1), with(54, 1), Image(), with(55, 1), with(90, 0.5F)}, 4),
               (std::vector<size_t>{0, 1, 4, 5}));
     EXPECT_EQ(distinct_pictures({with(0, 0), with(20, 1), with(40, 1)}, 2).size(), 2U);
+}
+
+TEST(Questions, ChoicesBesideAMistakeHaveOtherPicturesAndOtherHints) {
+    const auto with = [](int columns) { return striped(100, 10, 0, columns, 1); };
+    const Image right = with(0);
+    // The third mistake draws the same as the asked one, the fourth nothing, and the fifth has the second one's hint.
+    const std::vector<Image> pictures = {with(20), with(40), with(21), Image(), with(60), with(80), with(10)};
+    const std::vector<std::string> hints = {"a", "b", "c", "d", "b", "e", "f"};
+    EXPECT_EQ(choices_beside(0, right, pictures, hints), (std::vector<size_t>{0, 1, 5, 6}));
+    EXPECT_EQ(choices_beside(3, right, pictures, hints), std::vector<size_t>{}) << "it has no picture";
+    EXPECT_EQ(choices_beside(0, with(22), pictures, hints), std::vector<size_t>{}) << "it looks right";
+    EXPECT_EQ(choices_beside(0, right, std::span(pictures).first(6), hints), std::vector<size_t>{}) << "only three";
 }
 
 TEST(Questions, AreChosenInTurnOfKindsAndLabs) {
