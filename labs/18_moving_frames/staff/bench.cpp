@@ -7,21 +7,21 @@
 namespace relief::measure {
 namespace {
 
-struct Way {
+struct JointWay {
     const char *name, *blend, *normal_by;
     bool usual;
 };
-constexpr Way ways[] = {{"gradient", "linear", "gradient", false},
-                        {"matrix", "linear", "matrix", true},
-                        {"inverse-transpose", "linear", "inverse-transpose", true},
-                        {"unit-cofactors", "linear", "unit-cofactors", true},
-                        {"dual-gradient", "dual-quaternion", "gradient", false},
-                        {"dual-rotation", "dual-quaternion", "matrix", true}};
+constexpr JointWay joint_ways[] = {{"gradient", "linear", "gradient", false},
+                                   {"matrix", "linear", "matrix", true},
+                                   {"inverse-transpose", "linear", "inverse-transpose", true},
+                                   {"unit-cofactors", "linear", "unit-cofactors", true},
+                                   {"dual-gradient", "dual-quaternion", "gradient", false},
+                                   {"dual-rotation", "dual-quaternion", "matrix", true}};
 
 /// A tube bent at its joint. Errors are over the whole skin, visible or not.
 BenchScene joint(const BenchKnobs& pose, const BenchSettings& settings) {
     BenchScene scene{pose, "frame"};
-    for (const Way& way : ways)
+    for (const JointWay& way : joint_ways)
         scene.methods.push_back(
             {way.name,
              {{"blend", way.blend}},
