@@ -18,21 +18,17 @@ float pixels_per_metre(vec4 clip, vec4 along, vec2 size) {
 }
 //)
 
-// TASK 17.2 (3 points): spend the budget. tolerated() returns by how much a height in [0, 1] may be off if the error
-// on the screen may be `budget` pixels and the relief is `scale` metres deep; 1e30 for a relief without depth.
-// thinned() makes the relief thinner: it cuts the heights from `lowest` to `highest` off below and above, by as much
-// as possible without moving any height by more than `max_error` (the lab passes 7/8 of tolerated() as `max_error`, and
-// 1/8 as the tolerance of 17.3). It returns the lowest and the highest height that are left; if nothing is left, both
-// are the middle.
+// Given, because you wrote it as task 14.3: by how much a height in [0, 1] may be off if the error on the screen may be
+// `budget` pixels and the relief is `scale` metres deep; 1e30 for a relief without depth.
 float tolerated(float budget, float pixels_per_metre, float scale) {
-    //[solution
     float pixels = pixels_per_metre * scale;
     return pixels > 0.0 ? budget / pixels : 1e30;
-    //]starter
-    //| return unfinished(0.01);
-    //]
 }
 
+// TASK 17.2 (2 points): spend the budget. thinned() makes the relief thinner: it cuts the heights from `lowest` to
+// `highest` off below and above, by as much as possible without moving any height by more than `max_error` (the lab
+// passes 7/8 of tolerated() as `max_error`, and 1/8 as the tolerance of 17.3). It returns the lowest and the highest
+// height that are left; if nothing is left, both are the middle.
 vec2 thinned(float lowest, float highest, float max_error) {
     //[solution
     float middle = 0.5 * (lowest + highest);
