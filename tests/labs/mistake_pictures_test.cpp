@@ -85,12 +85,14 @@ TEST(MistakePictures, AMistakeInCppIsCompiledAndDrawn) {
     FAIL() << "there is none";
 }
 
+// `relief test --all` tests all tasks of the lab.
 TEST(MistakePictures, ARiddleShowsItsMistakeInAPublicViewBesideThreeOtherHints) {
     const LabEntry& lab = find_lab("10");
     grade::MistakePictures pictures(lab, {}, 96);
     const Manifest& manifest = pictures.manifest();
     int riddles = 0;
     for (const TaskInfo& task : manifest.tasks) {
+        if (riddles == 1 && !tests_all()) break;
         const auto riddle = grade::riddle_of(pictures, lab, task, 96);
         if (!riddle) continue;
         ++riddles;
@@ -113,7 +115,7 @@ TEST(MistakePictures, ARiddleShowsItsMistakeInAPublicViewBesideThreeOtherHints) 
                 EXPECT_EQ(seen.values == riddle->wrong.values, i == riddle->answer) << task.id << " " << mistake.id;
             }
     }
-    EXPECT_GE(riddles, 2);
+    EXPECT_GE(riddles, tests_all() ? 2 : 1);
 }
 
 TEST(MistakePictures, LeaveTheCourseUnchanged) {
