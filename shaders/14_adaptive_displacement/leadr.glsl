@@ -25,7 +25,7 @@ Sight sight_of(Slopes slopes, vec3 to_eye) {
     vec2 along = covariance_matrix(slopes.variance) * sight.direction;
     float deviation = sqrt(max(dot(sight.direction, along), 1e-8));
     float rest = sight.cotangent - dot(slopes.mean, sight.direction), t = rest / deviation;
-    // The distribution function of a Gaussian, within 2e-4 (Page 1977).
+    // The distribution function of a Gaussian, within 1.5e-4 (Bowling and others 2009).
     sight.facing = 1.0 / (1.0 + exp(-clamp(1.5976 * t + 0.07056 * t * t * t, -80.0, 80.0)));
     sight.area = max(rest * sight.facing + deviation * 0.39894228 * exp(-0.5 * t * t), 1e-6);
     return sight;
