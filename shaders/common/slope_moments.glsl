@@ -3,7 +3,7 @@
 
 // Returns the variance from the means of the slopes, and from the means of their squares and their product.
 vec3 variance_of_slopes(vec2 mean, vec3 squares) {
-    return squares - vec3(mean * mean, mean.x * mean.y);
+    return vec3(squares.xy - mean * mean, squares.z - mean.x * mean.y);
 }
 
 mat2 covariance_matrix(vec3 variance) { return mat2(variance.x, variance.z, variance.z, variance.y); }

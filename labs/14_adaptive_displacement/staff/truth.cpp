@@ -41,8 +41,8 @@ std::optional<Image> exact_values(const Frame& frame, const Settings& settings, 
         double hits = 0, light = 0;
         glm::dvec2 slopes(0);
         for (int i = 0; i < samples_a_side * samples_a_side; ++i) {
-            const glm::dvec2 in_pixel((i % samples_a_side + 0.5) / samples_a_side,
-                                      (i / samples_a_side + 0.5) / samples_a_side);
+            const glm::ivec2 sample(i % samples_a_side, i / samples_a_side);
+            const glm::dvec2 in_pixel = (glm::dvec2(sample) + 0.5) / double(samples_a_side);
             const glm::dvec2 place = (glm::dvec2(x, y) + in_pixel) / glm::dvec2(frame.size) * 2.0 - 1.0;
             const Ray ray = frame.camera.ray({place.x, -place.y});
             const auto seen = look(ray);
