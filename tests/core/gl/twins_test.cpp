@@ -795,10 +795,102 @@ std::vector<Twin> mesh_rays() {
     };
 }
 
+/// Gaussian slopes within a pixel, an eye for which the facets that face away are at most one in a thousand, and a
+/// light. The inputs are: mean of the slopes; their variance along u, along v, covariance, and alpha²; to the eye; to
+/// the light.
+GlslInput random_slopes(Dice& dice) {
+    for (;;) {
+        const float u = dice.between(0.1f, 0.4f), v = dice.between(0.1f, 0.4f), wide = std::max(u, v);
+        const glm::vec4 variance(u * u, v * v, u * v * dice.between(-0.7f, 0.7f), wide * wide * dice.between(1, 3));
+        const GlslInput in = {glm::vec4(dice.between(-0.5f, 0.5f), dice.between(-0.5f, 0.5f), 0, 0), variance,
+                              glm::vec4(dice.unit(), 0), glm::vec4(dice.unit(), 0)};
+        const glm::vec2 flat(in[2]);
+        const bool is_seen = in[2].z - glm::dot(flat, glm::vec2(in[0])) > 3.2f * wide * glm::length(flat);
+        if (glm::length(flat) > 0.05f && is_seen && in[2].z > 0.1f && in[3].z > 0.1f) return in;
+    }
+}
+
+/// Returns the mean over random_slopes() of `value`, by the area that a facet of each slope has on the picture:
+/// max(e.z - s.x e.x - s.y e.y, 0) for the direction e to the eye.
+glm::dvec2 mean_over_facets(const GlslInput& in, const std::function<glm::dvec2(glm::dvec2 slope)>& value) {
+    const double u = std::sqrt(double(in[1].x)), lean = double(in[1].z) / u,
+                 v = std::sqrt(double(in[1].y) - lean * lean);
+    const glm::dvec3 to_eye = xyz(in[2]);
+    double areas = 0;
+    glm::dvec2 sum(0);
+    constexpr int side = 10;  // with 4.5 deviations each way, such sums of Gaussians are off by 1e-5
+    for (int i = -side; i <= side; ++i)
+        for (int j = -side; j <= side; ++j) {
+            const glm::dvec2 place = 4.5 / side * glm::dvec2(i, j);
+            const glm::dvec2 slope = glm::dvec2(in[0]) + glm::dvec2(u * place.x, lean * place.x + v * place.y);
+            const double area =
+                std::exp(-glm::dot(place, place) / 2) * std::max(to_eye.z - glm::dot(slope, glm::dvec2(to_eye)), 0.0);
+            areas += area, sum += area * value(slope);
+        }
+    return sum / areas;
+}
+
+std::vector<Twin> slopes_of_pixels() {
+    const char* const file = "14_adaptive_displacement/leadr.glsl";
+    const auto lobe = [](const GlslInput& in) {
+        const glm::dvec3 halfway = xyz(in[2]) + xyz(in[3]);
+        return scalar(mean_over_facets(in, [&](glm::dvec2 slope) {
+                          const glm::dvec2 off = slope + glm::dvec2(halfway) / halfway.z;
+                          return glm::dvec2(std::exp(-glm::dot(off, off) / double(in[1].w)));
+                      }).x);
+    };
+    return {
+        {"variance_of_slopes",
+         "common/slope_moments.glsl",
+         "vec4(variance_of_slopes(0.5 * (a.xy + b.xy), 0.5 * vec3(a.xy * a.xy + b.xy * b.xy, a.x * a.y + b.x * b.y)), "
+         "0.0)",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-1, 1), 0)};
+         },
+         [](const GlslInput& in) {  // of two slopes: the product of half of their difference
+             const glm::dvec2 half = 0.5 * (glm::dvec2(in[0]) - glm::dvec2(in[1]));
+             return glm::dvec4(half * half, half.x * half.y, 0);
+         },
+         {"squares.z - mean.x * mean.y", "squares.z"},
+         1e-5,
+         0.1},
+        {"covariance_matrix",
+         "common/slope_moments.glsl",
+         "vec4(covariance_matrix(a.xyz) * b.xy, 0.0, 0.0)",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-1, 1), 0)};
+         },
+         [](const GlslInput& in) {
+             const glm::dvec3 of = xyz(in[0]), by = xyz(in[1]);
+             return glm::dvec4(of.x * by.x + of.z * by.y, of.z * by.x + of.y * by.y, 0, 0);
+         },
+         {"variance.z, variance.y)", "variance.y, variance.z)"},
+         1e-5,
+         0.1},
+        {"seen_slope",
+         file,
+         "vec4(seen_slope(Slopes(a.xy, b.xyz), c.xyz), 0.0, 0.0)",
+         random_slopes,
+         [](const GlslInput& in) {
+             return glm::dvec4(mean_over_facets(in, [](glm::dvec2 slope) { return slope; }), 0, 0);
+         },
+         {"slopes.mean - covariance_matrix", "slopes.mean + covariance_matrix"},
+         5e-4,  // the distribution function of a Gaussian
+         0.1},
+        {"highlight",
+         file,
+         "vec4(highlight(Slopes(a.xy, b.xyz), b.w, c.xyz, d.xyz), 0.0, 0.0, 0.0)",
+         random_slopes,
+         lobe,
+         {"mat2(0.5 * alpha2)", "mat2(alpha2)"},
+         2e-3,  // it counts facets that face away, at most one in a thousand, as negative areas
+         0.1}};
+}
+
 std::vector<Twin> all_twins() {
     std::vector<Twin> all;
     for (const auto& some : {light_and_color(), terminator(), normals_and_frames(), height_cells(), cell_walks(),
-                             displacement_and_levels(), mesh_rays()})
+                             displacement_and_levels(), slopes_of_pixels(), mesh_rays()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
