@@ -14,6 +14,7 @@
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/made_map.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/mesh/shapes.h"
 #include "heights.h"
@@ -38,6 +39,9 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_wall(frame_in(frame, tiles[i]), tiles[i], maps, filter_of(i));
+            const glm::vec2 wall(settings_.wall());
+            studio_.draw(frame_in(frame, tiles[i]), tiles[i], {wall.x, wall.y},
+                         [wall] { return make_quad({.width = 2 * wall.x, .height = 2 * wall.y}); });
             describe(frame.size, tiles[i], filter_of(i), maps.normals.at(filter_of(i)).error);
         }
         if (shows_error()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
@@ -231,6 +235,7 @@ private:
     Programs wall_program_{"03_height_to_normal/wall.vert", "03_height_to_normal/wall.frag"};
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
     WindowTriangle window_;
+    Studio studio_;
     Labels labels_;
     PaintLayer paint_;
     /// By programs, knobs, and versions of the own picture and of the paint.

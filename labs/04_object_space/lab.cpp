@@ -12,6 +12,7 @@
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/kit/window_triangle.h"
 #include "framework/library/mesh/shapes.h"
@@ -32,6 +33,8 @@ public:
                 draw_baked(frame_in(frame, tiles[i]), tiles[i]);
             else
                 draw_column(frame_in(frame, tiles[i]), tiles[i], map_of(i));
+            studio_.draw(
+                frame_in(frame, tiles[i]), tiles[i], {}, [] { return make_column(quilt::column); }, world_from_model());
             if (!frame.probe) describe(frame.size, tiles[i], is_baked ? baked_map : map_of(i));
         }
         labels_.draw(frame);
@@ -69,7 +72,8 @@ private:
         {{world, "world", "WORLD_MAP"}, {object, "object", "OBJECT_MAP"}, {tangent, "tangent", "TANGENT_MAP"}});
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == one ? 1 : int(maps.size()));
+        if (view_ == one) return tiles_of(size, 1);
+        return size.x >= size.y ? tile_grid(size, int(maps.size()), 1) : tile_grid(size, 1, int(maps.size()));
     }
     /// Baked light has the normals of the world-space map: they do not follow the model, either.
     int map_of(size_t tile) const {
@@ -163,6 +167,7 @@ private:
     GpuMesh column_ = upload([] { return make_column(quilt::column); });
     Kept<std::unique_ptr<TexelTarget>, GLuint> baked_;
     WindowTriangle window_;
+    Studio studio_;
     Labels labels_;
 
     int view_ = every, map_ = tangent;

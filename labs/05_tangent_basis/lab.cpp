@@ -17,6 +17,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/own_mesh.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/maps/own_picture.h"
 #include "shapes.h"
@@ -39,6 +40,9 @@ public:
                 draw_surface(frame_in(frame, tiles[i]), tiles[i], method);
                 labels_.caption(frame.size, tiles[i], 0, methods.names[size_t(method)] + distance_from_file(method));
             }
+            studio_.draw(frame_in(frame, tiles[i]), tiles[i],
+                         {double(shape_), double(columns_), double(rows_), jitter_, double(own_.version())},
+                         [this] { return plain_mesh(); });
         }
         labels_.notes(notes_of_files(*this));
         if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
@@ -243,6 +247,7 @@ private:
     Kept<VertexStream, int> bitangents_;               ///< by the version of meshes_, to one of which it is attached
     Kept<std::map<int, std::string>, int> distances_;  ///< by method
     OwnMesh own_{box_half * std::sqrt(3.0)};
+    Studio studio_;
     Labels labels_;
 
     int view_ = every, method_ = angle, frame_ = every_frame, shape_ = int(Shape::torus), show_ = half_and_half,

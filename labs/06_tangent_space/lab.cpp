@@ -13,6 +13,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/own_maps.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/maps/normals.h"
 #include "framework/library/maps/own_picture.h"
@@ -31,6 +32,9 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const Way way = way_of(i);
             draw_surface(frame_in(frame, tiles[i]), tiles[i], way);
+            studio_.draw(
+                frame_in(frame, tiles[i]), tiles[i], {double(shape()), double(own_mesh_.version())},
+                [this] { return mesh(); }, world_from_model(way));
             if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
         }
         labels_.notes(notes_of_files(*this));
@@ -177,7 +181,7 @@ private:
                     : map_ == own      ? own_texture()
                     : has_model_maps() ? own_maps_.first()
                                        : texel_);
-        const GpuMesh& mesh = mesh_of(shape());
+        const GpuMesh& mesh = uploaded_mesh();
         glBindVertexArray(mesh.layout());
         if (map && has_model_maps() && shape() == frames::Shape::own)
             own_maps_.draw();
@@ -185,29 +189,29 @@ private:
             glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    const GpuMesh& mesh_of(frames::Shape shape) const {
-        switch (shape) {
+    Mesh mesh() const {
+        switch (shape()) {
             case frames::Shape::sphere:
-                return sphere_;
+                return make_sphere(frames::sphere);
             case frames::Shape::column:
-                return column_;
+                return make_column(frames::column);
             case frames::Shape::wall:
-                return wall_;
+                return frames::make_mirrored_wall();
             case frames::Shape::cube:
-                return cube_;
+                return make_box(frames::cube);
             case frames::Shape::own:
                 break;
         }
-        return own_model();
+        return own_mesh_.mesh_with_tangents();
+    }
+    const GpuMesh& uploaded_mesh() const {
+        return meshes_[size_t(shape())].get({own_mesh_.version()},
+                                            [this] { return upload([this] { return mesh(); }); });
     }
 
     const Texture& own_texture() const {
         return own_texture_.get({own_.version()},
                                 [this] { return Texture("own map", [this] { return own_.image(); }); });
-    }
-    const GpuMesh& own_model() const {
-        return own_model_.get({own_mesh_.version()},
-                              [this] { return upload([this] { return own_mesh_.mesh_with_tangents(); }); });
     }
     bool has_model_maps() const { return map_ == of_model && !own_mesh_.normal_maps().empty(); }
     static Image flat_texel() {
@@ -222,12 +226,9 @@ private:
     OwnPicture own_{normals_in};
     mutable Kept<Texture, int> own_texture_;  ///< by the picture
     OwnMesh own_mesh_{1.25};
-    mutable Kept<GpuMesh, int> own_model_;  ///< by the model
     OwnMaps own_maps_{own_mesh_};
-    GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
-    GpuMesh column_ = upload([] { return make_column(frames::column); });
-    GpuMesh cube_ = upload([] { return make_box(frames::cube); });
-    GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });
+    mutable std::array<Kept<GpuMesh, int>, 5> meshes_;  ///< for each shape, by the version of the own model
+    Studio studio_;
     Labels labels_;
 
     int view_ = compare, shape_ = 0, normals_from_ = from_map, map_ = bricks, light_in_ = world_space, size_ = 0,

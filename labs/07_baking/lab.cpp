@@ -10,6 +10,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/made_map.h"
 #include "framework/library/kit/own_maps.h"
+#include "framework/library/kit/studio.h"
 #include "views.h"
 
 namespace relief::baking {
@@ -32,6 +33,7 @@ public:
             switch (view.draws) {
                 case Draws::model:
                     draw_model(frame_in(frame, view.tile), view);
+                    draw_studio(frame_in(frame, view.tile), view);
                     break;
                 case Draws::map:
                     draw_map(frame, view);
@@ -102,6 +104,13 @@ private:
             glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
+    void draw_studio(const Frame& frame, const View& view) {
+        const Recipe& recipe = view.sight.recipe;
+        const Model& model = recipe.model;
+        studio_.draw(frame, view.tile, {double(model.shape), model.gap, double(recipe.low), double(recipe.version)},
+                     [&recipe] { return recipe.low_mesh(false); });
+    }
+
     /// Draws the map: over the whole frame for a probe, and otherwise in the largest square of the tile.
     void draw_map(const Frame& frame, const View& view) {
         if (frame.probe.name == "normal") return;
@@ -163,6 +172,7 @@ private:
     WindowTriangle window_;
     LineDrawing cut_drawing_;
     Kept<std::vector<DrawnLine>, Recipe, std::array<GLuint, 3>, float> cut_lines_;
+    Studio studio_;
     Labels labels_;
 };
 

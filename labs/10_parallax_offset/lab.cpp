@@ -15,6 +15,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "truth.h"
 
@@ -30,7 +31,10 @@ public:
         const std::vector<ErrorSummary> found = words ? measure(frame, sights) : std::vector<ErrorSummary>();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        for (const Sight& sight : sights) draw_tile(sight);
+        for (const Sight& sight : sights) {
+            draw_tile(sight);
+            studio_.draw(sight.frame, sight.tile, surface_.studio_inputs(), [this] { return surface_.mesh(); });
+        }
         if (words) describe(frame.size, sights, found);
         if (view_ == eye && !frame.probe) describe_eyes(frame.size, sights);
         labels_.notes(notes_of_files(*this));
@@ -247,6 +251,7 @@ private:
 
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
+    Studio studio_;
     Labels labels_;
     Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, int, ReliefMapping, int, int> errors_;
     DistantLight light_;

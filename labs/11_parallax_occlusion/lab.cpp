@@ -12,6 +12,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/maps/bounds.h"
 #include "truth.h"
@@ -38,6 +39,9 @@ public:
             if (shows_error)
                 draw_part(frame, tiles[i], {corner + glm::ivec2(left, 0), {size.x - left, size.y}}, method_of(i),
                           "ERROR");
+            glScissor(corner.x, corner.y, size.x, size.y);
+            studio_.draw(frame_in(frame, tiles[i]), tiles[i], surface_.studio_inputs(),
+                         [this] { return surface_.mesh(); });
             if (view_ == compare) {
                 const float share = float(left) / float(std::max(1, size.x));
                 describe(frame.size, tiles[i], comparisons[i], figures[i], share > 0 ? share : 1);
@@ -200,6 +204,7 @@ private:
     Kept<Texture, int> bounds_;  ///< by the surface's version
     std::array<Kept<Figures, GLuint, int, Orbit, float, ReliefMapping, int>, comparisons.size()> measured_;
     DistantLight light_;
+    Studio studio_;
     Labels labels_;
 
     int view_ = compare, show_ = both, mip_ = base, lookup_ = fixed_lod, steps_ = 32, least_steps_ = 8;

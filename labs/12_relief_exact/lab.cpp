@@ -11,6 +11,7 @@
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/mesh/shapes.h"
 #include "skips.h"
@@ -52,6 +53,7 @@ public:
             const float turns_from = show_ == show_light ? 1e9f : show_ == show_half ? middle : 0;
             for (const Object& object : objects()) draw_object(part, object, method_of(i), turns_from);
             if (view_ == scene) draw_ball(part);
+            studio_.draw(part, tiles[i], studio_inputs(), [this] { return mesh_on_floor(); });
             if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
         }
         if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 iterations", 8);
@@ -114,6 +116,33 @@ private:
         return {{&floor_, glm::rotate(here, -glm::half_pi<double>(), glm::dvec3(1, 0, 0))},
                 {&wall_, glm::translate(here, glm::dvec3(0.25, 0.75, -0.55))},
                 {&column_, glm::translate(here, glm::dvec3(-0.85, -0.3, 0.05))}};
+    }
+
+    /// Returns the inputs of mesh_on_floor().
+    std::vector<double> studio_inputs() const {
+        std::vector<double> inputs = surface_.studio_inputs();
+        inputs.push_back(view_ == scene);
+        return inputs;
+    }
+    /// Returns all meshes in one. Those of the scene begin at its ground, which hides their lower ends.
+    Mesh mesh_on_floor() const {
+        Mesh all;
+        const auto add = [&](const Mesh& mesh, const glm::dmat4& world_from_model) {
+            const uint32_t begin = uint32_t(all.vertices.size());
+            for (const uint32_t index : mesh.indices) all.indices.push_back(begin + index);
+            for (Vertex vertex : mesh.vertices) {
+                vertex.position = glm::vec3(world_from_model * glm::dvec4(vertex.position, 1));
+                if (view_ == scene) vertex.position.y = std::max(0.0f, vertex.position.y);
+                all.vertices.push_back(vertex);
+            }
+        };
+        for (const Object& object : objects()) add(object.surface->mesh(), object.world_from_model);
+        if (view_ == scene) {
+            const Ball ball;
+            add(make_sphere({.radius = float(ball.radius), .sides = 16, .rows = 8}),
+                glm::translate(glm::dmat4(1), ball.centre));
+        }
+        return all;
     }
 
     Skips& skips_of(const ReliefSurface& surface) {
@@ -183,6 +212,7 @@ private:
     ReliefSurface surface_, floor_, wall_, column_;
     std::map<const ReliefSurface*, Kept<std::unique_ptr<Skips>, int>> skips_;  ///< by the surface's version
     GpuMesh ball_ = upload([] { return make_sphere({.radius = float(Ball{}.radius), .sides = 56, .rows = 28}); });
+    Studio studio_;
     Labels labels_;
 
     int view_ = scene, method_ = windows, show_ = show_light, shadow_ = hard;

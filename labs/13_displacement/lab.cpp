@@ -9,6 +9,7 @@
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/shadow_map.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/tiles.h"
 #include "truth.h"
 
@@ -42,6 +43,7 @@ public:
             glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines are in front
             const int triangles = draw_surface(part, method, "");
             glDisable(GL_POLYGON_OFFSET_FILL);
+            studio_.draw(part, tiles[i], surface_.studio_inputs(), [this] { return surface_.mesh_on_floor(); });
             if (show_ != light) draw_wire(part, tiles[i], method, triangles);
             if (view_ != one) describe(frame.size, tiles[i], method, triangles);
             if (const float most = std::max(method.level, inside_of(method)); bounded(most) < most)
@@ -209,6 +211,7 @@ private:
                       "13_displacement/surface.frag"};
     DisplacedSurface surface_;
     ShadowMap shadow_map_;
+    Studio studio_;
     Labels labels_;
 
     int view_ = compare, show_ = half;

@@ -32,6 +32,7 @@ struct Frame {
     Camera camera;
     Probe probe;
     std::vector<PictureWord>* words = nullptr;  ///< takes the words over the picture; null: they are in the picture
+    bool studio = false;  ///< the lab's objects stand on a floor before a backdrop (kit/studio.h); never on a probe
 
     /// Returns the ray through the centre of pixel (x, y) of the picture; row 0 is the top.
     Ray ray(int x, int y) const { return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2}); }

@@ -99,8 +99,13 @@ std::string shot_text(const Shot& shot, const Orbit& usual) {
 }
 
 Frame frame_of(const Shot& shot, const Target& target) {
-    return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())),
-            shot.probe,           shot.words};
+    return {target.framebuffer(),
+            target.size(),
+            shot.time,
+            Camera(shot.camera, aspect(target.size())),
+            shot.probe,
+            shot.words,
+            shot.studio && !shot.probe};
 }
 
 int64_t draws_begun() { return draws; }

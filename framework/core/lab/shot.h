@@ -27,6 +27,7 @@ struct Shot {
     std::vector<std::pair<std::string, std::string>> set;  ///< knobs and their values, in order
     Calls calls = {};                                      ///< see check::make_drawer()
     std::vector<PictureWord>* words = nullptr;             ///< see Frame; must outlive the draw
+    bool studio = false;                                   ///< see Frame; off for all that is compared or measured
 };
 
 /// Returns a camera in the format of `--camera`, to four digits, which suffice for a picture.

@@ -158,7 +158,7 @@ private:
         pages::LabPage page;
         page.lab = &entry, page.manifest = &manifest;
         Shot shot;
-        shot.camera = manifest.camera, shot.size = {800, 450};
+        shot.camera = manifest.camera, shot.size = {800, 450}, shot.studio = true;
         page.card = page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
         if (is_live_) {
             page.live = pages::live_page_file(entry);
@@ -203,7 +203,7 @@ private:
         shot.camera = manifest.camera;
         if (!manifest.cover.empty()) shot = manifest.golden(manifest.cover).shot;
         std::vector<PictureWord> left_out;
-        shot.probe = {}, shot.size = {640, 360}, shot.words = &left_out;
+        shot.probe = {}, shot.size = {640, 360}, shot.words = &left_out, shot.studio = true;
         return render_shot(*make_lab(entry, shot), shot);
     }
 
@@ -216,7 +216,7 @@ private:
         if (page == pages_.end()) page = std::prev(pages_.end());
         std::vector<PictureWord> left_out;
         Shot shot;
-        shot.camera = page->manifest->camera, shot.size = {1280, 480}, shot.words = &left_out;
+        shot.camera = page->manifest->camera, shot.size = {1280, 480}, shot.words = &left_out, shot.studio = true;
         hero_ = pages::Fields{{"file", pages::lab_page_file(*page->lab)},
                               {"picture", put("hero.png", render_shot(*make_lab(*page->lab, shot), shot))},
                               {"number", page->lab->two_digits()},
@@ -260,7 +260,7 @@ private:
             if (!is_solved || golden.shot.probe) return {};
             std::vector<PictureWord> words;
             Shot shot = golden.shot;
-            shot.words = &words;
+            shot.words = &words, shot.studio = true;
             Image image = render_shot(*make_lab(entry, shot), shot);
             return pages::WordlessPicture{std::move(image), std::move(words)};
         };

@@ -95,9 +95,10 @@ public:
         const fs::path file = course_root() / "labs" / entry.folder / "golden" / (golden.name + ".png");
         ++pictures;
         try {
-            Image picture = render_shot(*make_lab(entry, golden.shot), golden.shot);
-            if (golden.shot.probe)
-                picture = stored(visualize_probe(picture, manifest.probe(golden.shot.probe.name).colors()));
+            Shot shot = golden.shot;
+            shot.studio = true;
+            Image picture = render_shot(*make_lab(entry, shot), shot);
+            if (shot.probe) picture = stored(visualize_probe(picture, manifest.probe(shot.probe.name).colors()));
             const std::string result = update_ ? renew(file, picture) : compare(file, picture);
             fmt::print("{}/{}: {}\n", entry.folder, golden.name, result);
         } catch (const Error& error) {

@@ -62,6 +62,7 @@ int take_shot(const ShotArguments& arguments) {
     Show show = what_to_show(arguments, shot.probe);
     if (show == Show::picture && shot.probe) show = Show::probe;
     shot.probe.missing = MissingTask::told;
+    shot.studio = arguments.check.empty();  // a check's picture has the bits that are compared
     if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // throws first if there is no such mistake
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);

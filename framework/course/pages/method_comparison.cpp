@@ -88,7 +88,7 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
         std::vector<PictureWord> left_out;  // the page names the method
         Shot picture = shot;
-        picture.words = &left_out;
+        picture.words = &left_out, picture.studio = true;
         method.picture = render_shot(*drawn, picture);
         if (!probe) continue;
         shot.probe = probe;

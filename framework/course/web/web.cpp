@@ -255,7 +255,8 @@ EMSCRIPTEN_KEEPALIVE const char* relief_renew() {
 /// is an error, and the picture keeps the last program that did.
 EMSCRIPTEN_KEEPALIVE const char* relief_draw(const char* request) {
     return answer([&]() -> json {
-        const Shot shot = shot_of(json::parse(request));
+        Shot shot = shot_of(json::parse(request));
+        shot.studio = true;
         renew_programs();  // a changed text counts once it was read twice
         const ShaderNews news = renew_programs();
         drawing().begin(shot.size);

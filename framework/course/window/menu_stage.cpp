@@ -50,7 +50,7 @@ void Stage::open(const LabEntry& entry, const Shot* start) {
         shot_.camera = manifest_.camera;
         defaults_ = describe_knobs(*entry.make());
         if (start) shot_ = *start, shot_.size = size;
-        shot_.probe.missing = MissingTask::told;
+        shot_.probe.missing = MissingTask::told, shot_.studio = true;
         lab_ = make_lab(entry, shot_);
     } catch (const Error& error) {
         fail(error);

@@ -105,6 +105,13 @@ std::pair<glm::dvec3, glm::dvec3> DisplacedSurface::box_around() const {
     return {low - double(scale()), high + double(scale())};
 }
 
+Mesh DisplacedSurface::mesh_on_floor() const {
+    Mesh standing = mesh();
+    for (Vertex& vertex : standing.vertices)
+        if (vertex.normal.y < 0) vertex.position += scale() * vertex.normal;
+    return standing;
+}
+
 void DisplacedSurface::set(const Program& program, const Frame& frame) const {
     // Multiply in double precision: far from the world's origin, a float cannot resolve millimetres.
     program.set("u_clip_from_model", frame.camera.clip_from_world() * glm::translate(glm::dmat4(1), origin));

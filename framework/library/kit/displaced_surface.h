@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/gpu_patches.h"
@@ -39,6 +40,13 @@ public:
     /// Returns two corners of a box, parallel to the axes, that holds the displaced surface, in the model's
     /// coordinates.
     std::pair<glm::dvec3, glm::dvec3> box_around() const;
+
+    /// Returns the mesh as it stands on a floor: the relief's depth is added below, where it faces down.
+    Mesh mesh_on_floor() const;
+    /// Returns the inputs of mesh_on_floor(), for Studio::draw().
+    std::vector<double> studio_inputs() const {
+        return {double(shape), double(density), depth, double(repeat), double(own_.version())};
+    }
 
     /// Returns whether back faces are never visible from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }

@@ -1,6 +1,8 @@
 // The surface of labs 10 to 12: a mesh, a height map, and the mapping between them.
 #pragma once
 
+#include <vector>
+
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/own_mesh.h"
@@ -26,6 +28,9 @@ public:
     ReliefMapping mapping() const;
     /// Increases when heights() or an own model's mesh() change.
     int version() const { return material.version() + own_.version(); }
+
+    /// Returns the inputs of mesh(), for Studio::draw().
+    std::vector<double> studio_inputs() const { return {double(shape), extent, double(own_.version())}; }
 
     /// Sets the uniforms of shaders/common/relief.vert and the stages after it. Binds s_heights to unit 0, s_albedo to
     /// 1, s_normals to 2. Preconditions: the program is in use, and the viewport is the frame's.
