@@ -68,8 +68,10 @@ double hidden_sky(const std::vector<Facet>& facets, const glm::dvec3& place) {
         const glm::dvec3 to = facet.place - place;
         if (to.y <= 0) continue;
         const double squared = glm::dot(to, to), area = glm::length(facet.area), facing = glm::dot(facet.area, to);
-        // The form factor of a disc seen from a point (Bunnell 2005): it stays finite where they touch.
-        (facing < 0 ? front : back) += to.y * std::abs(facing) / (squared * (glm::pi<double>() * squared + area));
+        // The form factor of a disc seen from a point (Bunnell 2005): it stays finite where they touch. At the foot of
+        // a wall most places are close to the wall's plane, so that its facets seem edge-on: their extent counts, too.
+        const double shown = std::sqrt(facing * facing + 0.0625 * area * area * area);
+        (facing < 0 ? front : back) += to.y * shown / (squared * (glm::pi<double>() * squared + area));
     }
     return std::min(1.0, std::max(front, back));
 }
