@@ -108,7 +108,7 @@ std::pair<glm::dvec3, glm::dvec3> DisplacedSurface::box_around() const {
 Mesh DisplacedSurface::mesh_on_floor() const {
     Mesh standing = mesh();
     for (Vertex& vertex : standing.vertices)
-        if (vertex.normal.y < 0) vertex.position += scale() * vertex.normal;
+        if (vertex.normal.y > 0) vertex.position -= scale() * vertex.normal;
     return standing;
 }
 

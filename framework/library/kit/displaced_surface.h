@@ -41,7 +41,8 @@ public:
     /// coordinates.
     std::pair<glm::dvec3, glm::dvec3> box_around() const;
 
-    /// Returns the mesh as it stands on a floor: the relief's depth is added below, where it faces down.
+    /// Returns the mesh as it stands on a floor: where it faces up, at the bottom of the relief, so that no height is
+    /// below the floor.
     Mesh mesh_on_floor() const;
     /// Returns the inputs of mesh_on_floor(), for Studio::draw().
     std::vector<double> studio_inputs() const {
