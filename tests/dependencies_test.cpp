@@ -19,13 +19,14 @@ using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
 const std::map<std::string, int> floors = {
-    {"core/base", 0},          {"core/image", 1},      {"library/mesh", 2},    {"library/maps", 2},
-    {"staff/reference", 3},    {"core/gl", 4},         {"core/context", 5},    {"core/lab", 6},
-    {"library/kit", 7},        {"course/manifest", 8}, {"course/inspect", 9},  {"course/check", 9},
-    {"course/web", 10},        {"staff/grade", 10},    {"course/pages", 11},   {"staff/class", 11},
-    {"staff/handout", 12},     {"staff/measure", 12},  {"staff/synctest", 12}, {"staff/questions", 12},
-    {"staff/originality", 12}, {"staff/cluster", 12},  {"course/window", 12},  {"staff/pages", 13},
-    {"staff/web", 13},         {"staff/slides", 13},   {"course/app", 13},     {"staff/app", 14}};
+    {"core/base", 0},       {"core/image", 1},      {"library/mesh", 2},     {"library/maps", 2},
+    {"staff/reference", 3}, {"core/gl", 4},         {"core/context", 5},     {"core/lab", 6},
+    {"library/kit", 7},     {"course/manifest", 8}, {"course/inspect", 9},   {"course/task", 9},
+    {"course/explain", 10}, {"course/check", 11},   {"course/web", 12},      {"staff/grade", 12},
+    {"course/pages", 13},   {"staff/class", 13},    {"staff/proof", 13},     {"staff/handout", 14},
+    {"staff/measure", 14},  {"staff/synctest", 14}, {"staff/questions", 14}, {"staff/originality", 14},
+    {"staff/cluster", 14},  {"course/window", 14},  {"staff/pages", 15},     {"staff/web", 15},
+    {"staff/slides", 15},   {"course/app", 15},     {"staff/app", 16}};
 
 /// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {

@@ -1,6 +1,6 @@
 // Arbitrary task files of a student or a teacher.
-#include "framework/course/check/starter.h"
-#include "framework/course/check/task_text.h"
+#include "framework/course/task/starter.h"
+#include "framework/course/task/task_text.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

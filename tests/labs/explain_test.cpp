@@ -6,7 +6,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/image/compare.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/explain.h"
+#include "framework/course/explain/explain.h"
 #include "framework/library/kit/made_map.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/support.h"

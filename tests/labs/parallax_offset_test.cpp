@@ -6,7 +6,7 @@
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 #include "framework/library/kit/relief_surface.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/reference/relief_sight.h"

@@ -14,7 +14,7 @@
 #include "framework/course/app/command.h"
 #include "framework/course/app/shot_options.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/explain_text.h"
+#include "framework/course/explain/explain_text.h"
 
 namespace relief::app {
 namespace {

@@ -11,12 +11,12 @@
 #include "framework/core/base/source_text.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
-#include "framework/course/check/reach.h"
-#include "framework/course/check/starter.h"
-#include "framework/course/check/stored_zip.h"
-#include "framework/course/check/task_names.h"
-#include "framework/course/check/task_text.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/task/reach.h"
+#include "framework/course/task/starter.h"
+#include "framework/course/task/stored_zip.h"
+#include "framework/course/task/task_names.h"
+#include "framework/course/task/task_text.h"
 
 namespace relief::app {
 namespace {

@@ -18,8 +18,8 @@
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/hidden_checks.h"
 #include "framework/course/check/kept_labs.h"
-#include "framework/course/check/reach.h"
 #include "framework/course/check/relation.h"
+#include "framework/course/task/reach.h"
 
 namespace relief::check {
 namespace {

@@ -10,7 +10,7 @@
 #include "framework/core/context/context.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/compiled_shaders.h"
-#include "framework/course/check/explain.h"
+#include "framework/course/explain/explain.h"
 
 namespace relief {
 struct LabEntry;

@@ -9,7 +9,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
 #include "framework/course/check/likeness.h"
-#include "framework/course/check/task_text.h"
+#include "framework/course/task/task_text.h"
 
 namespace relief::check {
 namespace {

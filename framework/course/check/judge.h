@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/reach.h"
 #include "framework/course/check/verdict.h"
+#include "framework/course/task/reach.h"
 
 namespace relief::check {
 

@@ -1,7 +1,8 @@
 # The labs for a browser: one WebAssembly module with all labs and their checks. The page around it belongs to the
 # staff, who make the site (framework/staff/web).
 file(GLOB web_sources CONFIGURE_DEPENDS framework/core/gl/*.cpp framework/core/lab/*.cpp framework/library/kit/*.cpp
-  framework/course/manifest/*.cpp framework/course/check/*.cpp framework/course/web/*.cpp)
+  framework/course/manifest/*.cpp framework/course/task/*.cpp framework/course/explain/*.cpp
+  framework/course/check/*.cpp framework/course/web/*.cpp)
 # Without what needs processes or rewrites shaders: drawing under guard, and `explain`.
 list(FILTER web_sources EXCLUDE REGEX "(check/(guarded_drawing|explain|explain_text|watched_shader)|web/web)\\.cpp$")
 add_library(relief_framework OBJECT ${web_sources})

@@ -17,8 +17,8 @@
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/stored_zip.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/task/stored_zip.h"
 #include "framework/course/web/webgl.h"
 #include "framework/library/maps/visualize.h"
 

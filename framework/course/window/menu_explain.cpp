@@ -8,7 +8,7 @@
 #include "framework/core/base/from_staff.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/explain_text.h"
+#include "framework/course/explain/explain_text.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"

@@ -18,12 +18,12 @@
 #include "framework/staff/class/gradescope.h"
 #include "framework/staff/class/merge.h"
 #include "framework/staff/cluster/slurm.h"
-#include "framework/staff/grade/mutation_test.h"
-#include "framework/staff/grade/self_test.h"
 #include "framework/staff/originality/originality.h"
 #include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/originality_page.h"
 #include "framework/staff/pages/summaries.h"
+#include "framework/staff/proof/mutation_test.h"
+#include "framework/staff/proof/self_test.h"
 
 namespace relief::app {
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "framework/core/base/text.h"
-#include "framework/course/check/task_names.h"
+#include "framework/course/task/task_names.h"
 #include "framework/staff/class/csv.h"
 #include "framework/staff/class/progress.h"
 #include "framework/staff/grade/results.h"

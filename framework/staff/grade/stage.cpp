@@ -17,7 +17,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 #include "framework/staff/grade/transplant.h"
 
 namespace relief::grade {

@@ -19,7 +19,7 @@
 #include "framework/core/base/module.h"
 #include "framework/core/base/sha256.h"
 #include "framework/core/base/source_text.h"
-#include "framework/course/check/task_names.h"
+#include "framework/course/task/task_names.h"
 #include "framework/staff/grade/archive.h"
 
 namespace relief::grade {

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "framework/course/check/task_text.h"
+#include "framework/course/task/task_text.h"
 
 namespace relief::grade {
 namespace {

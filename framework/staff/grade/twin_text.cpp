@@ -6,7 +6,7 @@
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
-#include "framework/course/check/explain.h"
+#include "framework/course/explain/explain.h"
 
 namespace relief::grade {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/course/check/watched_shader.h"
+#include "framework/course/explain/watched_shader.h"
 #include "framework/course/manifest/manifest.h"
 
 namespace relief::grade {

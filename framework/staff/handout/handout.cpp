@@ -15,8 +15,8 @@
 #include "framework/core/image/file.h"
 #include "framework/course/check/check.h"
 #include "framework/course/check/hidden_checks.h"
-#include "framework/course/check/starter.h"
 #include "framework/course/manifest/paths.h"
+#include "framework/course/task/starter.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 
 namespace relief::handout {

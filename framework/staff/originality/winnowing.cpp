@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "framework/core/base/text.h"
-#include "framework/course/check/code_definitions.h"
-#include "framework/course/check/reach.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/task/code_definitions.h"
+#include "framework/course/task/reach.h"
+#include "framework/course/task/starter.h"
 
 namespace relief::grade {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/reach.h"
+#include "framework/course/task/reach.h"
 #include "framework/staff/grade/check_views.h"
-#include "framework/staff/grade/mutants.h"
 #include "framework/staff/grade/submission.h"
+#include "framework/staff/proof/mutants.h"
 
 namespace relief::grade {
 

@@ -9,11 +9,11 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/sources.h"
 #include "framework/course/pages/svg.h"
 #include "framework/course/pages/template.h"
+#include "framework/course/task/starter.h"
 
 namespace relief::slides {
 namespace {

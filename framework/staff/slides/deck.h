@@ -11,7 +11,7 @@
 //     ```glsl shaders/10_parallax_offset/surface.frag lookup
 //     ```
 //
-// becomes the region `lookup` of that file (framework/course/check/starter.h).
+// becomes the region `lookup` of that file (framework/course/task/starter.h).
 //
 //     ```mistakes 10 --set view=one --size 400x400
 //     v-flipped

@@ -6,11 +6,11 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/pages/handout_page.h"
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/template.h"
+#include "framework/course/task/starter.h"
 #include "framework/staff/grade/overlay.h"
 
 namespace relief::web {

@@ -9,8 +9,8 @@
 
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
-#include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/task/starter.h"
 #include "framework/staff/grade/submission.h"
 #include "tests/browser.h"
 #include "tests/course/app/course_copy.h"

@@ -10,8 +10,8 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/starter.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/task/starter.h"
 #include "tests/support.h"
 
 namespace relief::handout {

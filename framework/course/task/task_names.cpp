@@ -1,4 +1,4 @@
-#include "framework/course/check/task_names.h"
+#include "framework/course/task/task_names.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "framework/course/check/explain_text.h"
+#include "framework/course/explain/explain_text.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/explain.h"
+#include "framework/course/explain/explain.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/gl/draw_watch.h"
 #include "framework/core/gl/target.h"
-#include "framework/course/check/lone_function.h"
+#include "framework/course/explain/lone_function.h"
 
 namespace relief::check {
 namespace {

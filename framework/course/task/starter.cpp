@@ -1,4 +1,4 @@
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 
 #include <algorithm>
 

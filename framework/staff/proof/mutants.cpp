@@ -1,4 +1,4 @@
-#include "framework/staff/grade/mutants.h"
+#include "framework/staff/proof/mutants.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "framework/core/base/code_text.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 
 namespace relief::grade {
 namespace {

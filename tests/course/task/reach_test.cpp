@@ -1,6 +1,6 @@
 // A task's shader may contain only its functions. Text that could change the lab's other shaders is refused, other text
 // is not.
-#include "framework/course/check/reach.h"
+#include "framework/course/task/reach.h"
 
 #include <optional>
 #include <set>

@@ -1,5 +1,5 @@
 // Definitions found in GLSL and C++ texts.
-#include "framework/course/check/code_definitions.h"
+#include "framework/course/task/code_definitions.h"
 
 #include "tests/support.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/explain.h"
+#include "framework/course/explain/explain.h"
 
 namespace relief::check {
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/lone_function.h"
+#include "framework/course/explain/lone_function.h"
 
 #include <fmt/format.h>
 

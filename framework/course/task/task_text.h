@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/code_definitions.h"
 #include "framework/course/manifest/manifest.h"
+#include "framework/course/task/code_definitions.h"
 
 namespace relief::check {
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/stored_zip.h"
+#include "framework/course/task/stored_zip.h"
 
 #include <cstdint>
 

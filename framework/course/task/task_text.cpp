@@ -1,4 +1,4 @@
-#include "framework/course/check/task_text.h"
+#include "framework/course/task/task_text.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Mutants: each rule changes only the solution.
-#include "framework/staff/grade/mutants.h"
+#include "framework/staff/proof/mutants.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "framework/staff/grade/self_test.h"
+#include "framework/staff/proof/self_test.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/paths.h"
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 
 namespace relief::grade {
 namespace {

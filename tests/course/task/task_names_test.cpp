@@ -1,5 +1,5 @@
 // Names near a task file's, and the marks of copies.
-#include "framework/course/check/task_names.h"
+#include "framework/course/task/task_names.h"
 
 #include <filesystem>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/course/check/watched_shader.h"
+#include "framework/course/explain/watched_shader.h"
 #include "framework/course/manifest/manifest.h"
 
 namespace relief::check {

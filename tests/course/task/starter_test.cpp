@@ -1,5 +1,5 @@
 // Marks in task files: the starters that a handout makes of them, and whether a task is unfinished.
-#include "framework/course/check/starter.h"
+#include "framework/course/task/starter.h"
 
 #include "tests/support.h"
 

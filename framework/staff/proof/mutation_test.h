@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/staff/grade/marks.h"
-#include "framework/staff/grade/mutants.h"
+#include "framework/staff/proof/mutants.h"
 
 namespace relief::grade {
 

@@ -1,4 +1,4 @@
-#include "framework/staff/grade/mutation_test.h"
+#include "framework/staff/proof/mutation_test.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/reach.h"
+#include "framework/course/task/reach.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // A task file by its functions.
-#include "framework/course/check/task_text.h"
+#include "framework/course/task/task_text.h"
 
 #include "tests/support.h"
 

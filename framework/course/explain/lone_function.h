@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/check/watched_shader.h"
+#include "framework/course/explain/watched_shader.h"
 
 namespace relief::check {
 

@@ -1,4 +1,4 @@
-#include "framework/course/check/watched_shader.h"
+#include "framework/course/explain/watched_shader.h"
 
 #include <fmt/format.h>
 

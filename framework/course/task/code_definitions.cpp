@@ -1,4 +1,4 @@
-#include "framework/course/check/code_definitions.h"
+#include "framework/course/task/code_definitions.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Functions of a shader by themselves: which ones a person can follow, and how numbers are shown.
-#include "framework/course/check/lone_function.h"
+#include "framework/course/explain/lone_function.h"
 
 #include <limits>
 
