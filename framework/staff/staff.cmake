@@ -32,7 +32,7 @@ set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
 target_link_libraries(relief_staff PUBLIC relief_truth
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json PkgConfig::libseccomp relief_warnings)
 relief_takes_precompiled_headers(relief_staff)
-relief_is_cold(relief_staff ${staff_sources})
+relief_is_compiled_for_size(relief_staff ${staff_sources})
 relief_in_batches(relief_staff)
 # The grader compiles C++ tasks with the build's compiler.
 set_source_files_properties(framework/staff/grade/stage.cpp PROPERTIES COMPILE_DEFINITIONS

@@ -12,7 +12,7 @@
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
 #include "framework/course/manifest/manifest.h"
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 #include "framework/course/task/starter.h"
 #include "framework/course/task/stored_zip.h"
 #include "framework/course/task/task_names.h"
@@ -41,8 +41,7 @@ public:
             const std::string text = plain_source(files[task.file]);
             if (const auto fault = check::fault_of_task(text, task.file))
                 fail(task.file, (fault->line > 0 ? fmt::format("line {}: ", fault->line) : "") + fault->message);
-            else if (const std::string why = is_shader(task.file) ? check::reaches_beyond(text, others) : "";
-                     !why.empty())
+            else if (const std::string why = is_shader(task.file) ? check::broken_rule(text, others) : ""; !why.empty())
                 fail(task.file, why);
             if (text.size() > max_bytes) fail(task.file, "larger than 1 MiB, which the grader refuses");
         }

@@ -19,7 +19,7 @@
 #include "framework/course/check/hidden_checks.h"
 #include "framework/course/check/kept_labs.h"
 #include "framework/course/check/relation.h"
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 
 namespace relief::check {
 namespace {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "framework/course/check/agreement.h"
 #include "framework/course/check/allowance.h"
 #include "framework/course/check/comparison.h"
 #include "framework/course/check/expectation.h"
 #include "framework/course/check/judge.h"
-#include "framework/course/check/likeness.h"
 
 namespace relief::check {
 

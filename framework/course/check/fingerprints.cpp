@@ -122,19 +122,19 @@ void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) 
     }
 }
 
-/// Returns the sum of the likenesses of all drawn checks, or nothing if one of them does not match the mistake.
-std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
-                                    const Manifest& manifest, const std::vector<Verdict>& said, const Samples& drawn,
-                                    const Exactness& exactness) {
-    Likeness sum;
+/// Returns the sum of the agreements of all drawn checks, or nothing if one of them does not match the mistake.
+std::optional<Agreement> agreement_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
+                                      const Manifest& manifest, const std::vector<Verdict>& said, const Samples& drawn,
+                                      const Exactness& exactness) {
+    Agreement sum;
     for (const auto& [check, sample] : mistake.draws) {
         if (!drawn.contains(check)) continue;
         const Sample& solution = fingerprints.checks.at(check).solution;
         // A verdict with a view is about a hidden view: the picture of the check's own view is right.
         const bool passed = said[check].outcome == Outcome::passed || !said[check].view.empty();
         if (passed && !exactness.compares_passed && sample.is_drawn && sample.values == solution.values) continue;
-        const Likeness one =
-            likeness(drawn.at(check), sample, solution, bool(manifest.checks[check].shot.probe), exactness);
+        const Agreement one =
+            agreement(drawn.at(check), sample, solution, bool(manifest.checks[check].shot.probe), exactness);
         if (!is_like(one, passed, exactness)) return {};
         sum.add(one);
     }
@@ -215,7 +215,7 @@ std::map<std::string, Recognised> name_mistakes(const Fingerprints& fingerprints
     for (const Fingerprints::Mistake& mistake : fingerprints.mistakes) {
         const auto share = best.find(mistake.task);
         if (share == best.end()) continue;
-        const auto like = likeness_of(fingerprints, mistake, manifest, said, drawn, exactness);
+        const auto like = agreement_of(fingerprints, mistake, manifest, said, drawn, exactness);
         if (!like || like->share() <= share->second) continue;
         share->second = like->share();
         named[mistake.task] = {&mistake, like->is_certain()};

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/course/check/agreement.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/likeness.h"
 
 namespace relief::check {
 
@@ -49,7 +49,7 @@ Sample sample_at(const Image& drawn, const std::string& error, const std::vector
 /// The known mistake that a task's pictures show.
 struct Recognised {
     const Fingerprints::Mistake* mistake = nullptr;
-    bool is_certain = false;  ///< see Likeness::is_certain()
+    bool is_certain = false;  ///< see Agreement::is_certain()
 };
 
 /// Returns the known mistake that each task's pictures show, by task. Every drawn check of the task must match the

@@ -8,7 +8,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
-#include "framework/course/check/likeness.h"
+#include "framework/course/check/agreement.h"
 #include "framework/course/task/task_text.h"
 
 namespace relief::check {
@@ -213,7 +213,7 @@ std::optional<Verdict> judge_text(const Manifest& manifest, const CheckInfo& che
         return said;
     }
     if (is_shader(file))
-        if (const std::string beyond = reaches_beyond(*text, others); !beyond.empty())
+        if (const std::string beyond = broken_rule(*text, others); !beyond.empty())
             return Verdict{Outcome::broken, fmt::format("{} {}", file, beyond)};
     if (const std::string missing_function = missing_text(*text, own); !missing_function.empty())
         return Verdict{Outcome::broken, missing_function};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "framework/course/check/verdict.h"
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 
 namespace relief::check {
 
@@ -57,7 +57,7 @@ std::vector<Cause> causes_of(const Manifest& manifest, const std::vector<Verdict
 struct NamedMistake {
     std::string id;    ///< empty in a student's course
     std::string hint;  ///< of this mistake, and of all mistakes that draw the same
-    bool is_certain;   ///< see Likeness::is_certain()
+    bool is_certain;   ///< see Agreement::is_certain()
 };
 
 /// Questions of the judge. An empty function: nobody can answer.

@@ -212,10 +212,10 @@ void name_submissions(const GradeArguments& arguments, grade::ClassOptions& opti
 
 }  // namespace
 
-int print_report(const grade::ClassReport& report, const grade::ClassStanding& standing, const fs::path& folder,
+int print_report(const grade::ClassReport& report, const grade::ClassRecord& record, const fs::path& folder,
                  const grade::Shard& shard) {
-    fmt::print("{}", grade::to_table(standing));
-    for (const std::string& note : standing.notes) print_note(note);
+    fmt::print("{}", grade::to_table(record));
+    for (const std::string& note : record.notes) print_note(note);
     size_t failed = 0;
     for (const grade::SubmissionMark& mark : report.marks) failed += !mark.graded();
     fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
@@ -423,7 +423,7 @@ int grade_submissions(const GradeArguments& arguments) {
     if (!options.keep_roster) prepare_class_file(arguments, options.output, {}, options.labs);
     const grade::ClassReport report = grade::grade_class(options, pages_into(options.output));
     if (!options.shard.whole())
-        return print_report(report, grade::class_standing(report.marks, {}, {}), arguments.output, options.shard);
+        return print_report(report, grade::class_record(report.marks, {}, {}), arguments.output, options.shard);
     const int code =
         print_report(report, pages::write_summaries(report, options.output), arguments.output, options.shard);
     if (questions > 0) ask_class(options, report, questions);

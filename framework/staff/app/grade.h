@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "framework/staff/class/class.h"
-#include "framework/staff/class/standing.h"
+#include "framework/staff/class/record.h"
 #include "framework/staff/cluster/cluster.h"
 
 namespace relief::app {
 
 /// Prints the table of marks. Returns the exit code: 1 if a submission has no mark.
-int print_report(const grade::ClassReport& report, const grade::ClassStanding& standing,
+int print_report(const grade::ClassReport& report, const grade::ClassRecord& record,
                  const std::filesystem::path& folder, const grade::Shard& shard);
 
 /// Returns a callback that writes a submission's pages. It runs before the result is written, so every result of a

@@ -49,7 +49,7 @@ struct Suite {
     std::string cases, properties;
 };
 
-Suite suite_of(const Standing& standing) {
+Suite suite_of(const StudentRecord& record) {
     Suite suite;
     const auto add = [&](const std::string& group, const std::string& name, const char* kind, const char* type,
                          const std::string& message) {
@@ -60,10 +60,10 @@ Suite suite_of(const Standing& standing) {
         suite.cases +=
             kind ? fmt::format("><{} type=\"{}\" message=\"{}\"/></testcase>\n", kind, type, xml(message)) : "/>\n";
     };
-    if (!standing.mark)
-        add("submission", "is there", standing.is_waiting ? "error" : "failure", "missing", standing.state());
+    if (!record.mark)
+        add("submission", "is there", record.is_waiting ? "error" : "failure", "missing", record.state());
     else {
-        const SubmissionMark& mark = *standing.mark;
+        const SubmissionMark& mark = *record.mark;
         suite.seconds = mark.seconds;
         if (!mark.problem.empty()) add("submission", "can be read", "failure", "unreadable", mark.problem);
         for (const LabMark& lab : mark.labs)
@@ -81,9 +81,9 @@ Suite suite_of(const Standing& standing) {
     const auto property = [&](const char* name, const std::string& value) {
         suite.properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml(value));
     };
-    if (standing.is_marked()) property("points", check::points_text(standing.points()));
-    property("max_points", std::to_string(standing.of()));
-    for (const std::string& remark : standing.remarks()) property("remark", remark);
+    if (record.is_marked()) property("points", check::points_text(record.points()));
+    property("max_points", std::to_string(record.of()));
+    for (const std::string& remark : record.remarks()) property("remark", remark);
     suite.properties = "    <properties>\n" + suite.properties + "    </properties>\n";
     return suite;
 }
@@ -123,12 +123,12 @@ std::string with_pictures(const std::string& text, const std::vector<const Expor
 }
 
 /// Returns the adjustments by people and rules, one line each.
-std::string remarks_text(const Standing& standing) {
+std::string remarks_text(const StudentRecord& record) {
     std::string text;
-    for (const std::string& remark : standing.remarks()) text += remark + "\n";
-    if (standing.is_changed())
-        text += fmt::format("The checks alone gave {} of {} points.\n", check::points_text(standing.graded()),
-                            standing.of());
+    for (const std::string& remark : record.remarks()) text += remark + "\n";
+    if (record.is_changed())
+        text +=
+            fmt::format("The checks alone gave {} of {} points.\n", check::points_text(record.graded()), record.of());
     return text;
 }
 
@@ -143,7 +143,8 @@ std::string key_of(const std::string& column, std::string value) {
 }
 
 /// Returns the student of a row, found by any identifier that both sides have; null if there is none.
-const Standing* student_of(const CsvTable& sheet, const CsvRow& row, const std::map<std::string, const Standing*>& by) {
+const StudentRecord* student_of(const CsvTable& sheet, const CsvRow& row,
+                                const std::map<std::string, const StudentRecord*>& by) {
     for (const char* column : {"Email address", "Username", "ID number"}) {
         const std::string& value = sheet.cell(row, column);
         if (value.empty()) continue;
@@ -154,23 +155,23 @@ const Standing* student_of(const CsvTable& sheet, const CsvRow& row, const std::
 
 }  // namespace
 
-std::string to_csv(const ClassStanding& standing) {
-    const bool has_roster = !standing.policy.students.empty();
-    const std::vector<LabStanding> labs =
-        standing.students.empty() ? std::vector<LabStanding>() : standing.students.front().labs;
+std::string to_csv(const ClassRecord& record) {
+    const bool has_roster = !record.policy.students.empty();
+    const std::vector<LabRecord> labs =
+        record.students.empty() ? std::vector<LabRecord>() : record.students.front().labs;
     Cells head{"submission", "state", "points", "of"};
     if (has_roster) head.insert(head.end(), {"name", "email", "login", "canvas_id", "sis_id", "section"});
-    const bool teams = has_teams(standing.policy);
+    const bool teams = has_teams(record.policy);
     if (teams) head.push_back("team");
     head.insert(head.end(), {"by the checks", "adjusted by", "late by", "remarks"});
-    if (standing.policy.late.bank_days > 0)
-        head.push_back(fmt::format("late days used (of {})", standing.policy.late.bank_days));
-    for (const LabStanding& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
-    for (const LabStanding& lab : labs)
-        for (const TaskStanding& task : lab.tasks)
+    if (record.policy.late.bank_days > 0)
+        head.push_back(fmt::format("late days used (of {})", record.policy.late.bank_days));
+    for (const LabRecord& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
+    for (const LabRecord& lab : labs)
+        for (const TaskRecord& task : lab.tasks)
             head.push_back(fmt::format("{} (of {}{})", task.id, task.of, task.optional ? ", optional" : ""));
     std::string text = csv_line(head);
-    for (const Standing& one : standing.students) {
+    for (const StudentRecord& one : record.students) {
         const bool marked = one.is_marked();
         const auto points = [&](double value) { return marked ? check::points_text(value) : std::string(); };
         Cells cells{cell(one.student.student), cell(one.state()), points(one.points()), std::to_string(one.of())};
@@ -181,10 +182,10 @@ std::string to_csv(const ClassStanding& standing) {
         if (teams) cells.push_back(cell(one.student.team));
         cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
                                    points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
-        if (standing.policy.late.bank_days > 0) cells.push_back(std::to_string(one.bank_used));
-        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? check::points_text(lab.points()) : "");
-        for (const LabStanding& lab : one.labs)
-            for (const TaskStanding& task : lab.tasks)
+        if (record.policy.late.bank_days > 0) cells.push_back(std::to_string(one.bank_used));
+        for (const LabRecord& lab : one.labs) cells.push_back(lab.marked ? check::points_text(lab.points()) : "");
+        for (const LabRecord& lab : one.labs)
+            for (const TaskRecord& task : lab.tasks)
                 cells.push_back(
                     !lab.marked || (!lab.handed_in && task.adjusted == 0) ? "" : check::points_text(task.adjusted));
         text += csv_line(cells);
@@ -192,13 +193,13 @@ std::string to_csv(const ClassStanding& standing) {
     return text;
 }
 
-std::string to_late_days(const ClassStanding& standing) {
-    const UtcOffset offset = standing.policy.utc_offset;
+std::string to_late_days(const ClassRecord& record) {
+    const UtcOffset offset = record.policy.utc_offset;
     std::string text = csv_line(Cells{"submission", "lab", "due", "handed in", "days late", "cost nothing",
                                       "cost points", "used in the term", "left in the term", "hand-ins graded",
                                       "last graded on", "graded on that day", "remark"});
-    for (const Standing& one : standing.students)
-        for (const LabStanding& lab : one.labs)
+    for (const StudentRecord& one : record.students)
+        for (const LabRecord& lab : one.labs)
             text += csv_line(
                 Cells{cell(one.student.student), number_of_lab(lab.lab), lab.due ? moment_text(*lab.due, offset) : "",
                       lab.handed_in_at ? moment_text(*lab.handed_in_at, offset) : "", std::to_string(lab.days_late),
@@ -208,26 +209,26 @@ std::string to_late_days(const ClassStanding& standing) {
     return text;
 }
 
-std::string to_canvas(const ClassStanding& standing) {
+std::string to_canvas(const ClassRecord& record) {
     Cells head{"Student", "ID", "SIS User ID", "SIS Login ID", "Section"},
         points{"    Points Possible", "", "", "", ""};
-    for (const AssignedLab& lab : standing.policy.labs) {
-        if (standing.students.empty() || !standing.students.front().lab(lab.folder)) continue;
+    for (const AssignedLab& lab : record.policy.labs) {
+        if (record.students.empty() || !record.students.front().lab(lab.folder)) continue;
         head.push_back(cell(lab.canvas));
-        points.push_back(decimal(standing.students.front().lab(lab.folder)->of()));
+        points.push_back(decimal(record.students.front().lab(lab.folder)->of()));
     }
     std::string text = csv_line(head) + csv_line(points);
-    for (const Standing& one : standing.students) {
+    for (const StudentRecord& one : record.students) {
         if (!one.on_roster) continue;
         Cells cells{cell(shown_name(one.student)), cell(one.student.canvas_id), cell(one.student.sis_id),
                     cell(one.student.login), cell(one.student.section)};
-        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? decimal(lab.points()) : "");
+        for (const LabRecord& lab : one.labs) cells.push_back(lab.marked ? decimal(lab.points()) : "");
         text += csv_line(cells);
     }
     return text;
 }
 
-std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std::vector<std::string>& notes) {
+std::string to_moodle(const ClassRecord& record, const AssignedLab& lab, std::vector<std::string>& notes) {
     const CsvTable sheet = read_csv(lab.moodle);
     const int grade = sheet.column("Grade"), feedback = sheet.column("Feedback comments");
     // Moodle itself rejects a worksheet without these.
@@ -237,8 +238,8 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
                         fmt::format("has no column '{}': download Moodle's grading worksheet again, with "
                                     "Moodle set to English",
                                     column));
-    std::map<std::string, const Standing*> by;
-    for (const Standing& one : standing.students)
+    std::map<std::string, const StudentRecord*> by;
+    for (const StudentRecord& one : record.students)
         for (const auto& [column, value] : {std::pair("Email address", &one.student.email),
                                             {"Username", &one.student.login},
                                             {"ID number", &one.student.sis_id}})
@@ -247,14 +248,14 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
     Cells unknown;
     for (const CsvRow& row : sheet.rows) {
         Cells cells = row.cells;
-        const Standing* const one = student_of(sheet, row, by);
+        const StudentRecord* const one = student_of(sheet, row, by);
         const auto max = parse_number(sheet.cell(row, "Maximum Grade"));
         if (!max || *max <= 0)
             throw Error({lab.moodle, row.line},
                         "'Maximum Grade' must be a number of points, as in 6.00: in Moodle, let the "
                         "assignment have points, and download the worksheet in English");
         if (!one) unknown.push_back(sheet.cell(row, "Identifier"));
-        const LabStanding* const points = one ? one->lab(lab.folder) : nullptr;
+        const LabRecord* const points = one ? one->lab(lab.folder) : nullptr;
         if (points && points->marked && sheet.cell(row, "Grade can be changed") != "No") {
             cells[size_t(grade)] = decimal(points->of() > 0 ? *max * points->points() / points->of() : 0);
             if (feedback >= 0) {
@@ -273,22 +274,21 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
     return text;
 }
 
-std::string to_prairielearn(const Standing& standing, const std::vector<ExportPicture>& pictures) {
+std::string to_prairielearn(const StudentRecord& record, const std::vector<ExportPicture>& pictures) {
     constexpr size_t max_bytes = 1'000'000;
-    if (!standing.is_marked())  // not counted as an attempt
+    if (!record.is_marked())  // not counted as an attempt
         return dump({{"gradable", false},
                      {"message", "The grader's machine failed. This is not your fault and costs you no points."}});
-    if (standing.mark && !standing.mark->problem.empty())
-        return dump({{"gradable", false}, {"format_errors", {printable(standing.mark->problem, 1000)}}});
-    const double of_all = standing.of() > 0 ? standing.points() / standing.of() : 0;
-    ordered_json json = {
-        {"gradable", true},
-        {"score", std::clamp(of_all, 0.0, 1.0)},
-        {"message", fmt::format("{} of {} points", check::points_text(standing.points()), standing.of())},
-        {"output", remarks_text(standing)},
-        {"tests", ordered_json::array()}};
-    if (standing.mark)
-        for (const LabMark& lab : standing.mark->labs)
+    if (record.mark && !record.mark->problem.empty())
+        return dump({{"gradable", false}, {"format_errors", {printable(record.mark->problem, 1000)}}});
+    const double of_all = record.of() > 0 ? record.points() / record.of() : 0;
+    ordered_json json = {{"gradable", true},
+                         {"score", std::clamp(of_all, 0.0, 1.0)},
+                         {"message", fmt::format("{} of {} points", check::points_text(record.points()), record.of())},
+                         {"output", remarks_text(record)},
+                         {"tests", ordered_json::array()}};
+    if (record.mark)
+        for (const LabMark& lab : record.mark->labs)
             for (const check::TaskVerdict& task : lab.tasks)
                 for (const check::Verdict& check : task.checks) {
                     const check::TaskVerdict::Share share = task.share_of(check);
@@ -312,15 +312,15 @@ std::string to_prairielearn(const Standing& standing, const std::vector<ExportPi
     return dump(json);
 }
 
-std::string to_gradescope(const Standing& standing, const std::vector<ExportPicture>& pictures) {
+std::string to_gradescope(const StudentRecord& record, const std::vector<ExportPicture>& pictures) {
     // Sets plain text: otherwise Gradescope would interpret markup in a submission's output.
     ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
-    if (!standing.mark || !standing.is_marked()) {  // without a score, Gradescope reports that grading failed
-        json["output"] = standing.mark ? "The grader's machine failed. This is not your fault and costs you no points."
-                                       : standing.state();
+    if (!record.mark || !record.is_marked()) {  // without a score, Gradescope reports that grading failed
+        json["output"] = record.mark ? "The grader's machine failed. This is not your fault and costs you no points."
+                                     : record.state();
         return dump(json);
     }
-    const SubmissionMark& mark = *standing.mark;
+    const SubmissionMark& mark = *record.mark;
     bool any_hidden = false;
     ordered_json tests = ordered_json::array();
     const auto add = [&](const std::string& name, const LabMark& lab, const ordered_json& more) {
@@ -355,20 +355,20 @@ std::string to_gradescope(const Standing& standing, const std::vector<ExportPict
         output +=
             "Some checks are hidden. Gradescope shows no total while a check is hidden; your points count all "
             "checks.\n";
-    json.update({{"score", standing.points()},
+    json.update({{"score", record.points()},
                  {"execution_time", mark.seconds},
-                 {"output", output + remarks_text(standing)},
+                 {"output", output + remarks_text(record)},
                  {"visibility", "visible"},
                  {"tests", std::move(tests)}});
     return dump(json);
 }
 
-std::string to_junit(const ClassStanding& standing, Moment written) {
+std::string to_junit(const ClassRecord& record, Moment written) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     const std::string time = moment_text(written, UtcOffset(0)),
                       stamp = time.substr(0, 10) + "T" + time.substr(11, 5) + ":00";
     int id = 0;
-    for (const Standing& one : standing.students) {
+    for (const StudentRecord& one : record.students) {
         const Suite suite = suite_of(one);
         // Ant's schema requires all these attributes, a list of properties, and both kinds of output.
         text += fmt::format(
@@ -382,34 +382,34 @@ std::string to_junit(const ClassStanding& standing, Moment written) {
     return text + "</testsuites>\n";
 }
 
-std::string to_surefire(const Standing& standing) {
-    const Suite suite = suite_of(standing);
+std::string to_surefire(const StudentRecord& record) {
+    const Suite suite = suite_of(record);
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" time=\"{:.3f}\" tests=\"{}\" "
         "errors=\"{}\" skipped=\"0\" failures=\"{}\">\n{}{}</testsuite>\n",
-        xml(standing.student.student), suite.seconds, suite.tests, suite.errors, suite.failures, suite.properties,
+        xml(record.student.student), suite.seconds, suite.tests, suite.errors, suite.failures, suite.properties,
         suite.cases);
 }
 
-std::string to_table(const ClassStanding& standing) {
+std::string to_table(const ClassRecord& record) {
     size_t width = 10;
-    for (const Standing& one : standing.students)
+    for (const StudentRecord& one : record.students)
         width = std::max(width, std::min<size_t>(40, one.student.student.size()));
     std::string text = fmt::format("{:<{}}", "submission", width);
-    if (!standing.students.empty())
-        for (const LabStanding& lab : standing.students.front().labs)
+    if (!record.students.empty())
+        for (const LabRecord& lab : record.students.front().labs)
             text += fmt::format("  {:>7}", "lab " + number_of_lab(lab.lab));
-    const bool has_bank = standing.policy.late.bank_days > 0, is_limited = standing.policy.hand_ins_per_day > 0;
+    const bool has_bank = record.policy.late.bank_days > 0, is_limited = record.policy.hand_ins_per_day > 0;
     text += "       all";
     if (has_bank) text += "  late days";
     if (is_limited) text += "  hand-ins";
     text += "\n";
     // Columns of the students' cells, one for each lab, then the sum.
-    const size_t labs = standing.students.empty() ? 0 : standing.students.front().labs.size();
+    const size_t labs = record.students.empty() ? 0 : record.students.front().labs.size();
     std::vector<std::vector<std::string>> columns(labs + 1);
-    for (const Standing& one : standing.students) {
+    for (const StudentRecord& one : record.students) {
         for (size_t i = 0; i < labs; ++i) {
-            const LabStanding& lab = one.labs[i];
+            const LabRecord& lab = one.labs[i];
             columns[i].push_back(!lab.handed_in && lab.points() == 0 ? "-"
                                  : !lab.marked                       ? "?"
                                                : fmt::format("{}/{}", check::points_text(lab.points()), lab.of()));
@@ -418,14 +418,14 @@ std::string to_table(const ClassStanding& standing) {
                                                 : "?");
     }
     for (size_t i = 0; i <= labs; ++i) columns[i] = aligned_at_points(std::move(columns[i]), i < labs ? 7 : 8);
-    for (size_t student = 0; student < standing.students.size(); ++student) {
-        const Standing& one = standing.students[student];
+    for (size_t student = 0; student < record.students.size(); ++student) {
+        const StudentRecord& one = record.students[student];
         text += fmt::format("{:<{}}", one.student.student, width);
         for (const std::vector<std::string>& column : columns) text += "  " + column[student];
         if (has_bank) text += fmt::format("  {:>9}", fmt::format("{}/{}", one.bank_used, one.bank_days));
         if (is_limited) {
             int graded = 0;
-            for (const LabStanding& lab : one.labs) graded += lab.hand_ins;
+            for (const LabRecord& lab : one.labs) graded += lab.hand_ins;
             text += fmt::format("  {:>8}", graded);
         }
         if (one.state() != "graded") text += "  " + one.state();
@@ -433,7 +433,7 @@ std::string to_table(const ClassStanding& standing) {
             text += fmt::format("  adjusted by {}", check::points_text(one.adjusted() - one.graded()));
         if (one.is_marked() && one.points() != one.adjusted())
             text += fmt::format("  late: {} less", check::points_text(one.adjusted() - one.points()));
-        for (const LabStanding& lab : one.labs)
+        for (const LabRecord& lab : one.labs)
             if (!lab.kept.empty())
                 text += fmt::format("  lab {}: beyond the limit of hand-ins", number_of_lab(lab.lab));
         text += "\n";

@@ -24,15 +24,15 @@ std::string with_figures(const BenchRow& row) {
 }
 
 /// What a run says about the times of two methods.
-enum class Likeness { different, about_equal, unknown };
+enum class Difference { different, about_equal, unknown };
 
 /// Spreads from p10 to p90 that do not overlap are different. Overlapping ones are about equal if they are narrow and
 /// their medians are within a factor of 2; otherwise the run cannot tell.
-Likeness likeness_of(const BenchRow& one, const BenchRow& other) {
+Difference difference_between(const BenchRow& one, const BenchRow& other) {
     const BenchTimes &a = one.times, &b = other.times;
-    if (a.p10 > b.p90 || b.p10 > a.p90) return Likeness::different;
+    if (a.p10 > b.p90 || b.p10 > a.p90) return Difference::different;
     const bool is_near = a.median <= 2 * b.median && b.median <= 2 * a.median;
-    return is_near && !one.is_wide() && !other.is_wide() ? Likeness::about_equal : Likeness::unknown;
+    return is_near && !one.is_wide() && !other.is_wide() ? Difference::about_equal : Difference::unknown;
 }
 
 std::string list_of(std::vector<std::string> names) {
@@ -48,18 +48,19 @@ std::string about_as_fast(std::span<const BenchRow> rows, const std::vector<size
     std::vector<std::string> equal, unknown;
     for (const size_t place : timed)
         if (&rows[place] != &fast)
-            if (const Likeness likeness = likeness_of(rows[place], fast); likeness != Likeness::different)
-                (likeness == Likeness::unknown ? unknown : equal).push_back(short_name(rows[place]));
+            if (const Difference difference = difference_between(rows[place], fast);
+                difference != Difference::different)
+                (difference == Difference::unknown ? unknown : equal).push_back(short_name(rows[place]));
     return (equal.empty() ? "" : " About as fast: " + list_of(equal) + ".") +
            (unknown.empty() ? "" : " Cannot be told apart from it in this run: " + list_of(unknown) + ".");
 }
 
 /// Returns "1.7 times as long", "about as long", or that the run cannot tell.
 std::string as_long(const BenchRow& slow, const BenchRow& fast) {
-    switch (likeness_of(slow, fast)) {
-        case Likeness::about_equal:
+    switch (difference_between(slow, fast)) {
+        case Difference::about_equal:
             return "about as long";
-        case Likeness::unknown:
+        case Difference::unknown:
             return "a time that cannot be told apart in this run";
         default:
             return rounded(slow.times.median / fast.times.median, 2) + " times as long";
@@ -73,12 +74,12 @@ std::string of_times(std::span<const BenchRow> rows, std::vector<size_t> timed) 
     if (timed.size() == 1)
         return fmt::format("{} takes {} a {}.", short_name(first), time_text(first.times.median), first.item);
     const bool all_overlap = std::all_of(timed.begin(), timed.end(), [&](size_t place) {
-        return likeness_of(rows[place], first) != Likeness::different &&
-               likeness_of(rows[place], last) != Likeness::different;
+        return difference_between(rows[place], first) != Difference::different &&
+               difference_between(rows[place], last) != Difference::different;
     });
     if (all_overlap)
         return fmt::format("{}: {} to {} a {}.",
-                           likeness_of(first, last) == Likeness::about_equal
+                           difference_between(first, last) == Difference::about_equal
                                ? fmt::format("All {} methods take about as long", timed.size())
                                : fmt::format("The times of {} methods cannot be told apart in this run", timed.size()),
                            time_text(first.times.median), time_text(last.times.median), first.item);

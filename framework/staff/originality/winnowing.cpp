@@ -8,7 +8,7 @@
 
 #include "framework/core/base/text.h"
 #include "framework/course/task/code_definitions.h"
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 #include "framework/course/task/starter.h"
 
 namespace relief::grade {

@@ -49,8 +49,8 @@ public:
     size_t absent = 0, strangers = 0;  ///< without a submission; and with one, but not in the roster
     std::vector<double> points;        ///< of students with a submission
 
-    explicit ClassCounts(const grade::ClassStanding& standing) {
-        for (const grade::Standing& one : standing.students) {
+    explicit ClassCounts(const grade::ClassRecord& record) {
+        for (const grade::StudentRecord& one : record.students) {
             absent += !one.mark && !one.is_waiting;
             not_graded += one.is_waiting;
             strangers += !one.on_roster;
@@ -130,7 +130,7 @@ Fields points_cell(const std::string& column, double points, int of, const char*
             {"instead", *instead ? instead : "–"}};
 }
 
-Fields cell_of(const grade::LabStanding& lab) {
+Fields cell_of(const grade::LabRecord& lab) {
     const bool is_missing = !lab.handed_in && lab.points() == 0;
     return points_cell("lab " + number_of(lab.lab), lab.points(), lab.of(),
                        is_missing   ? "–"
@@ -140,36 +140,35 @@ Fields cell_of(const grade::LabStanding& lab) {
 
 /// Returns a row of the class table: points by lab, counts of check outcomes, recognised mistakes, and adjustments by
 /// people and rules.
-Fields line_of(const grade::Standing& standing) {
+Fields line_of(const grade::StudentRecord& record) {
     List cells;
-    for (const grade::LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
+    for (const grade::LabRecord& lab : record.labs) cells.push_back(cell_of(lab));
     Counts of{};
     std::set<std::string> mistakes;
     size_t all = 0;
-    if (standing.mark)
-        for (const grade::LabMark& lab : standing.mark->labs)
+    if (record.mark)
+        for (const grade::LabMark& lab : record.mark->labs)
             for (const check::TaskVerdict& task : lab.tasks) {
                 for (const check::Verdict& check : task.checks) ++of[size_t(check.outcome)], ++all;
                 if (!task.mistake.empty()) mistakes.insert(named(task));
             }
-    const auto missing = standing.mark ? std::count_if(standing.labs.begin(), standing.labs.end(),
-                                                       [](const grade::LabStanding& lab) { return !lab.handed_in; })
-                                       : 0;
+    const auto missing = record.mark ? std::count_if(record.labs.begin(), record.labs.end(),
+                                                     [](const grade::LabRecord& lab) { return !lab.handed_in; })
+                                     : 0;
     List remarks;
-    for (const std::string& remark : standing.remarks()) remarks.push_back(remark);
-    return {
-        {"page", page_file(standing.name, PageFor::instructor).string()},
-        {"name", standing.student.student},
-        {"full_name", grade::printable(standing.student.name)},
-        {"stranger", !standing.on_roster},
-        {"total", points_cell("points", standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
-        {"cells", std::move(cells)},
-        {"problem", standing.mark ? standing.mark->problem : standing.state()},
-        {"all_passed", all > 0 && missing == 0 && of[size_t(check::Outcome::passed)] == all},
-        {"missing", missing > 0 ? count_of(size_t(missing), "lab") + " not handed in" : ""},
-        {"outcomes", outcome_counts(of, check::Outcome(1))},
-        {"mistakes", List(mistakes.begin(), mistakes.end())},
-        {"remarks", rows(std::move(remarks))}};
+    for (const std::string& remark : record.remarks()) remarks.push_back(remark);
+    return {{"page", page_file(record.name, PageFor::instructor).string()},
+            {"name", record.student.student},
+            {"full_name", grade::printable(record.student.name)},
+            {"stranger", !record.on_roster},
+            {"total", points_cell("points", record.points(), record.of(), record.is_marked() ? "" : "not graded")},
+            {"cells", std::move(cells)},
+            {"problem", record.mark ? record.mark->problem : record.state()},
+            {"all_passed", all > 0 && missing == 0 && of[size_t(check::Outcome::passed)] == all},
+            {"missing", missing > 0 ? count_of(size_t(missing), "lab") + " not handed in" : ""},
+            {"outcomes", outcome_counts(of, check::Outcome(1))},
+            {"mistakes", List(mistakes.begin(), mistakes.end())},
+            {"remarks", rows(std::move(remarks))}};
 }
 
 List labs_with_checks(const ClassCounts& counts) {
@@ -242,13 +241,13 @@ Value times(const ClassCounts& counts) {
 }
 
 /// Returns the table of late days and graded hand-ins: a row for each student who used any.
-Value used_table(const grade::ClassStanding& standing) {
-    if (!grade::has_limits(standing.policy)) return {};
+Value used_table(const grade::ClassRecord& record) {
+    if (!grade::has_limits(record.policy)) return {};
     List students;
-    for (const grade::Standing& one : standing.students) {
+    for (const grade::StudentRecord& one : record.students) {
         List labs;
         int graded = 0;
-        for (const grade::LabStanding& lab : one.labs) {
+        for (const grade::LabRecord& lab : one.labs) {
             graded += lab.hand_ins;
             const std::string number = "lab " + number_of(lab.lab) + ": ";
             if (lab.days_late > 0) labs.push_back(number + grade::lateness_text(lab));
@@ -262,27 +261,27 @@ Value used_table(const grade::ClassStanding& standing) {
                                   {"graded", graded},
                                   {"labs", rows(std::move(labs))}});
     }
-    return Fields{{"bank", standing.policy.late.bank_days > 0},
-                  {"limit", standing.policy.hand_ins_per_day > 0},
+    return Fields{{"bank", record.policy.late.bank_days > 0},
+                  {"limit", record.policy.hand_ins_per_day > 0},
                   {"students", rows(std::move(students))}};
 }
 
 }  // namespace
 
 std::string class_page(const grade::ClassReport& report) {
-    return class_page(report, grade::class_standing(report.marks, {}, {}));
+    return class_page(report, grade::class_record(report.marks, {}, {}));
 }
 
-std::string class_page(const grade::ClassReport& report, const grade::ClassStanding& standing) {
-    const ClassCounts counts(standing);
+std::string class_page(const grade::ClassReport& report, const grade::ClassRecord& record) {
+    const ClassCounts counts(record);
     List submissions, columns;
     bool has_remarks = false;
-    for (const grade::Standing& one : standing.students) {
+    for (const grade::StudentRecord& one : record.students) {
         submissions.push_back(line_of(one));
         has_remarks |= !one.remarks().empty();
     }
-    if (!standing.students.empty())
-        for (const grade::LabStanding& lab : standing.students.front().labs)
+    if (!record.students.empty())
+        for (const grade::LabRecord& lab : record.students.front().labs)
             columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", lab_title(lab.lab)}});
     const Fields run{{"seconds", fmt::format("{:.1f}", report.seconds)},
                      {"prepared", fmt::format("{:.1f}", report.prepared)}};
@@ -294,10 +293,10 @@ std::string class_page(const grade::ClassReport& report, const grade::ClassStand
         {{"numbers", number_cards(report, counts)},
          {"isolated_by", join(std::vector<std::string>(counts.isolations.begin(), counts.isolations.end()), ", ")},
          {"isolation", report.isolation.level == grade::Isolation::limits ? report.isolation.reason : ""},
-         {"is_long", standing.students.size() > 50},
+         {"is_long", record.students.size() > 50},
          {"columns", std::move(columns)},
          {"has_remarks", has_remarks},
-         {"used", used_table(standing)},
+         {"used", used_table(record)},
          {"labs", labs_with_checks(counts)},
          {"submissions", std::move(submissions)},
          {"hardest", hardest_checks(counts)},

@@ -1,4 +1,4 @@
-#include "framework/staff/pages/standing_part.h"
+#include "framework/staff/pages/record_part.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@ namespace relief::pages {
 namespace {
 
 // A student's text cannot contain these marks: pages escape it.
-constexpr std::string_view begin_mark = "<!--standing-->", end_mark = "<!--/standing-->";
+constexpr std::string_view begin_mark = "<!--record-->", end_mark = "<!--/record-->";
 
 /// Returns the reasons for the points of a lab, one sentence each.
-List reasons(const grade::LabStanding& lab, grade::UtcOffset offset, PageFor reader) {
+List reasons(const grade::LabRecord& lab, grade::UtcOffset offset, PageFor reader) {
     List list;
     if (!lab.marked) list.push_back("not graded yet");
     if (lab.marked && !lab.handed_in) list.push_back("nothing handed in");
@@ -42,10 +42,10 @@ List reasons(const grade::LabStanding& lab, grade::UtcOffset offset, PageFor rea
     return list;
 }
 
-std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, PageFor reader) {
+std::string rendered(const grade::StudentRecord& record, grade::UtcOffset offset, PageFor reader) {
     List labs;
-    bool has_more = standing.labs.size() > 1;
-    for (const grade::LabStanding& lab : standing.labs) {
+    bool has_more = record.labs.size() > 1;
+    for (const grade::LabRecord& lab : record.labs) {
         List why = reasons(lab, offset, reader);
         has_more |= !why.empty();
         labs.push_back(Fields{{"number", number_of(lab.lab)},
@@ -56,33 +56,33 @@ std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, P
                               {"reasons", rows(std::move(why))}});
     }
     List notes;
-    for (const grade::Adjustment& one : standing.adjustments)
+    for (const grade::Adjustment& one : record.adjustments)
         notes.push_back(Fields{{"task", one.task},
                                {"points", (one.points > 0 ? "+" : "") + amount_of(one.points, "point")},
                                {"note", grade::printable(one.note, 1000)}});
     List files;
-    if (standing.mark) files.insert(files.end(), standing.mark->remarks.begin(), standing.mark->remarks.end());
-    files.insert(files.end(), standing.team_remarks.begin(), standing.team_remarks.end());
+    if (record.mark) files.insert(files.end(), record.mark->remarks.begin(), record.mark->remarks.end());
+    files.insert(files.end(), record.team_remarks.begin(), record.team_remarks.end());
     std::string late_days;
-    if (standing.bank_days > 0)
-        late_days = fmt::format("Late days used in this term: {} of {}", standing.bank_used, standing.bank_days);
-    return render("framework/staff/pages/standing", {{"has_points", standing.is_marked() && standing.of() > 0},
-                                                     {"points", points_shown(standing.points())},
-                                                     {"of", standing.of()},
-                                                     {"late_days", late_days},
-                                                     {"labs", has_more ? rows(std::move(labs)) : Value()},
-                                                     {"notes", rows(std::move(notes))},
-                                                     {"files", rows(std::move(files))}});
+    if (record.bank_days > 0)
+        late_days = fmt::format("Late days used in this term: {} of {}", record.bank_used, record.bank_days);
+    return render("framework/staff/pages/record", {{"has_points", record.is_marked() && record.of() > 0},
+                                                   {"points", points_shown(record.points())},
+                                                   {"of", record.of()},
+                                                   {"late_days", late_days},
+                                                   {"labs", has_more ? rows(std::move(labs)) : Value()},
+                                                   {"notes", rows(std::move(notes))},
+                                                   {"files", rows(std::move(files))}});
 }
 
 }  // namespace
 
-std::string with_standing(const std::string& page, const grade::Standing& standing, grade::UtcOffset offset,
-                          PageFor reader) {
+std::string with_record(const std::string& page, const grade::StudentRecord& record, grade::UtcOffset offset,
+                        PageFor reader) {
     const size_t begin = page.find(begin_mark), end = page.find(end_mark, begin);
     if (begin == std::string::npos || end == std::string::npos) return page;
     const size_t inside = begin + begin_mark.size();
-    return page.substr(0, inside) + "\n" + rendered(standing, offset, reader) + page.substr(end);
+    return page.substr(0, inside) + "\n" + rendered(record, offset, reader) + page.substr(end);
 }
 
 }  // namespace relief::pages

@@ -11,7 +11,7 @@
 #include "framework/core/lab/registry.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/page.h"
-#include "framework/staff/pages/standing_part.h"
+#include "framework/staff/pages/record_part.h"
 
 namespace relief::pages {
 namespace {
@@ -222,7 +222,7 @@ std::string student_page(const grade::SubmissionMark& mark, const std::vector<gr
                                      .styles = {"badge", "checks", "figures", "framework/staff/pages/student"},
                                      .scripts = {"wipe", "checks"}},
                                     StudentPage(mark, pictures, reader).fields());
-    return with_standing(page, grade::standing_of(mark), grade::UtcOffset(0), reader);
+    return with_record(page, grade::record_of(mark), grade::UtcOffset(0), reader);
 }
 
 }  // namespace relief::pages

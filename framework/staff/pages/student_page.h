@@ -13,7 +13,7 @@ namespace relief::pages {
 enum class PageFor { instructor, student };
 
 /// Returns a page that needs no other files. A check has figures if `pictures` contains it. The page shows the
-/// submission alone; with_standing() adds the data of the class. Students' text is escaped, never markup.
+/// submission alone; with_record() adds the data of the class. Students' text is escaped, never markup.
 std::string student_page(const grade::SubmissionMark& mark, const std::vector<grade::CheckPictures>& pictures,
                          PageFor reader);
 

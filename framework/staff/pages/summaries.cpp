@@ -12,7 +12,7 @@
 #include "framework/staff/class/progress.h"
 #include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/grade_page.h"
-#include "framework/staff/pages/standing_part.h"
+#include "framework/staff/pages/record_part.h"
 
 namespace relief::pages {
 
@@ -37,36 +37,35 @@ std::string renamed(std::string page, const std::string& from, const std::string
 }
 
 /// Returns the pictures of the labs whose marks count.
-std::vector<grade::ExportPicture> pictures_of(const grade::Standing& standing, const fs::path& folder) {
-    if (standing.sources.empty()) return read_pictures(folder / pictures_file(standing.name));
+std::vector<grade::ExportPicture> pictures_of(const grade::StudentRecord& record, const fs::path& folder) {
+    if (record.sources.empty()) return read_pictures(folder / pictures_file(record.name));
     std::vector<grade::ExportPicture> all;
-    for (const auto& [lab, source] : standing.sources)
+    for (const auto& [lab, source] : record.sources)
         for (grade::ExportPicture& one : read_pictures(folder / pictures_file(source)))
             if (one.lab == lab) all.push_back(std::move(one));
     return all;
 }
 
-/// Writes the standing into a student's page, and creates the page if it does not exist. The page of a student without
+/// Writes the record into a student's page, and creates the page if it does not exist. The page of a student without
 /// a submission has nothing else.
-void write_standing(const grade::Standing& standing, grade::UtcOffset offset, const fs::path& folder, PageFor reader) {
-    const fs::path file = folder / page_file(standing.name, reader);
+void write_record(const grade::StudentRecord& record, grade::UtcOffset offset, const fs::path& folder, PageFor reader) {
+    const fs::path file = folder / page_file(record.name, reader);
     grade::SubmissionMark nothing;
-    nothing.name = standing.name;
-    nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
-    if (standing.mark && !standing.is_of(standing.name)) {  // the mark of the team
-        const fs::path source = folder / page_file(standing.mark->name, reader);
-        grade::SubmissionMark mark = *standing.mark;
-        mark.name = standing.name;
-        const bool is_whole = standing.is_of(standing.mark->name) && fs::exists(source);
+    nothing.name = record.name;
+    nothing.problem = record.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
+    if (record.mark && !record.is_of(record.name)) {  // the mark of the team
+        const fs::path source = folder / page_file(record.mark->name, reader);
+        grade::SubmissionMark mark = *record.mark;
+        mark.name = record.name;
+        const bool is_whole = record.is_of(record.mark->name) && fs::exists(source);
         const std::string page =
-            is_whole ? renamed(read_file(source), standing.mark->name, standing.name) : student_page(mark, {}, reader);
-        return write_page(file, with_standing(page, standing, offset, reader));
+            is_whole ? renamed(read_file(source), record.mark->name, record.name) : student_page(mark, {}, reader);
+        return write_page(file, with_record(page, record, offset, reader));
     }
     // A run that does not name a graded submission keeps its result, and so its page.
-    const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(grade::result_file(folder, standing.name)));
-    const std::string page =
-        is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
-    const std::string now = with_standing(page, standing, offset, reader);
+    const bool is_kept = fs::exists(file) && (record.mark || fs::exists(grade::result_file(folder, record.name)));
+    const std::string page = is_kept ? read_file(file) : student_page(record.mark ? *record.mark : nothing, {}, reader);
+    const std::string now = with_record(page, record, offset, reader);
     if (!is_kept || now != page) write_page(file, now);
 }
 
@@ -108,7 +107,7 @@ void write_page(const fs::path& file, const std::string& text) {
     write_file(file, text);
 }
 
-grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs::path& folder) {
+grade::ClassRecord write_summaries(const grade::ClassReport& report, const fs::path& folder) {
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     const grade::ClassFile policy = grade::read_class_file(grade::class_file_of(folder), folder);
     std::set<std::string> names = handed_in(folder);
@@ -116,40 +115,40 @@ grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs:
     for (const grade::SubmissionMark& mark : report.marks) names.insert(grade::printable(mark.name));
     const std::vector<std::string> absent = left_out(policy, names, folder);
     names.insert(absent.begin(), absent.end());  // waiting for a mark, not 0 points
-    grade::ClassStanding standing = grade::class_standing(report.marks, policy, labs_of(folder), names);
-    grade::add_hand_ins(standing, folder);
+    grade::ClassRecord record = grade::class_record(report.marks, policy, labs_of(folder), names);
+    grade::add_hand_ins(record, folder);
     if (!absent.empty())
-        standing.notes.push_back(fmt::format(
+        record.notes.push_back(fmt::format(
             "{} handed in before, and this run does not name the submission, so there is no mark: {}. Name all of the "
             "class's: those that have not changed are not graded again",
             amount_of(double(absent.size()), "student"), grade::some_of(absent)));
-    parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
-        const grade::Standing& one = standing.students[i];
+    parallel_each(record.students.size(), hardware_threads(), [&](size_t i) {
+        const grade::StudentRecord& one = record.students[i];
         const std::string name = grade::file_name_of(one.name);
         const std::vector<grade::ExportPicture> pictures = pictures_of(one, folder);
         write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one, pictures));
         write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one, pictures));
         write_file(folder / "surefire" / ("TEST-" + name + ".xml"), grade::to_surefire(one));
-        for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
+        for (const PageFor reader : page_readers) write_record(one, record.policy.utc_offset, folder, reader);
     });
-    write_file(folder / "results.csv", grade::to_csv(standing));
+    write_file(folder / "results.csv", grade::to_csv(record));
     write_file(folder / "junit.xml",
-               grade::to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
-    if (!standing.policy.students.empty())
-        write_file(folder / "canvas.csv", grade::to_canvas(standing));
+               grade::to_junit(record, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
+    if (!record.policy.students.empty())
+        write_file(folder / "canvas.csv", grade::to_canvas(record));
     else
         fs::remove(folder / "canvas.csv");  // a stale file must not be uploaded
-    if (grade::has_limits(standing.policy))
-        write_file(folder / "late_days.csv", grade::to_late_days(standing));
+    if (grade::has_limits(record.policy))
+        write_file(folder / "late_days.csv", grade::to_late_days(record));
     else
         fs::remove(folder / "late_days.csv");
-    for (const grade::AssignedLab& lab : standing.policy.labs)
-        if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
+    for (const grade::AssignedLab& lab : record.policy.labs)
+        if (!lab.moodle.empty() && !record.students.empty() && record.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");
-            write_file(folder / "moodle" / (lab.folder + ".csv"), grade::to_moodle(standing, lab, standing.notes));
+            write_file(folder / "moodle" / (lab.folder + ".csv"), grade::to_moodle(record, lab, record.notes));
         }
-    write_file(folder / "report.html", class_page(report, standing));
-    return standing;
+    write_file(folder / "report.html", class_page(report, record));
+    return record;
 }
 
 }  // namespace relief::pages

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "framework/staff/class/class.h"
-#include "framework/staff/class/standing.h"
+#include "framework/staff/class/record.h"
 #include "framework/staff/pages/student_page.h"
 
 namespace relief::pages {
@@ -20,8 +20,8 @@ void write_page(const std::filesystem::path& file, const std::string& text);
 
 /// Writes all other files, from the results, the folder's class file and its adjustments alone. These are report.html,
 /// results.csv and junit.xml, and a file per submission in surefire, gradescope and prairielearn. With a roster there
-/// are also canvas.csv, and moodle/LAB.csv for each worksheet. Puts the standing into all pages; a submission without
+/// are also canvas.csv, and moodle/LAB.csv for each worksheet. Puts the record into all pages; a submission without
 /// pages gets them without pictures. `report` must outlive the result.
-grade::ClassStanding write_summaries(const grade::ClassReport& report, const std::filesystem::path& folder);
+grade::ClassRecord write_summaries(const grade::ClassReport& report, const std::filesystem::path& folder);
 
 }  // namespace relief::pages

@@ -197,7 +197,7 @@ private:
         }
         const auto own = submission.files.find(task.file);
         if (own == submission.files.end()) return;
-        if (const std::string beyond = check::reaches_beyond(own->second, maker_.others_); !beyond.empty()) {
+        if (const std::string beyond = check::broken_rule(own->second, maker_.others_); !beyond.empty()) {
             result_.problem = fmt::format("{} {}", task.file, printable(beyond));
             return;
         }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 #include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/submission.h"
 #include "framework/staff/proof/mutants.h"

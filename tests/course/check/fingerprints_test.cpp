@@ -91,13 +91,13 @@ TEST(Fingerprints, NameAMistakeThatFailsOnlyTheCallsForTheWordsOfItsTask) {
 }
 
 // Of another driver, or of another compiler of C++.
-TEST(Likeness, ForgivesRoundingWhereTheMistakeOnlyRounds) {
+TEST(Agreement, ForgivesRoundingWhereTheMistakeOnlyRounds) {
     const Sample solution = drawn({0.5f, 1, 2}), rounds = drawn({0.500004f, 1.000002f, 1.999998f});
-    EXPECT_EQ(likeness(drawn({0.499996f, 1.000001f, 2}), rounds, solution, true).differ, 0u);
-    EXPECT_EQ(likeness(drawn({0.4999f, 1, 2}), rounds, solution, true).differ, 1u);
+    EXPECT_EQ(agreement(drawn({0.499996f, 1.000001f, 2}), rounds, solution, true).differ, 0u);
+    EXPECT_EQ(agreement(drawn({0.4999f, 1, 2}), rounds, solution, true).differ, 1u);
     const Sample wrong_by_little = drawn({0.501f, 1.001f, 2.001f});
-    EXPECT_EQ(likeness(wrong_by_little, wrong_by_little, solution, true).share(), 1);
-    EXPECT_EQ(likeness(solution, wrong_by_little, solution, true).share(), 0);
+    EXPECT_EQ(agreement(wrong_by_little, wrong_by_little, solution, true).share(), 1);
+    EXPECT_EQ(agreement(solution, wrong_by_little, solution, true).share(), 0);
 }
 
 // An unlisted mistake may fail one check in the same way as a listed mistake.
@@ -115,17 +115,17 @@ TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
         << "both draw the same";
 }
 
-TEST(Likeness, OfYesAndNoOrThreeValuesIsUncertain) {
+TEST(Agreement, OfYesAndNoOrThreeValuesIsUncertain) {
     const Sample solution = drawn(std::vector<float>(24, 0));
     const auto is_certain = [&](size_t kinds) {
         Sample mistake = solution;
         for (size_t i = 0; i < mistake.values.size(); ++i) mistake.values[i] = float(1 + i % kinds);
-        return likeness(mistake, mistake, solution, true).is_certain();
+        return agreement(mistake, mistake, solution, true).is_certain();
     };
     EXPECT_FALSE(is_certain(1));
     EXPECT_FALSE(is_certain(3));
     EXPECT_TRUE(is_certain(4));
-    Likeness sum;
+    Agreement sum;
     for (const float value : {1.0f, 2.0f, 2.0f, 3.0f, 4.0f}) {
         EXPECT_FALSE(sum.is_certain());
         sum.add({.differ = 1, .agree = 1, .kinds = {value}});
@@ -133,7 +133,7 @@ TEST(Likeness, OfYesAndNoOrThreeValuesIsUncertain) {
     EXPECT_TRUE(sum.is_certain());
 }
 
-TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
+TEST(Agreement, AllowsOneValueOf24ThatAnotherDriverDraws) {
     EXPECT_TRUE(is_like({.differ = 24, .agree = 23}, false));
     EXPECT_FALSE(is_like({.differ = 24, .agree = 22}, false));
     EXPECT_TRUE(is_like({.differ = 24, .agree = 17}, false, other_renderer));

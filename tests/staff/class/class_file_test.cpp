@@ -1,4 +1,4 @@
-// The policy of a class: rosters and spreadsheets, times, class files, adjustments, and the standing of students.
+// The policy of a class: rosters and spreadsheets, times, class files, adjustments, and the record of students.
 #include "framework/staff/class/class_file.h"
 
 #include "framework/core/base/file.h"
@@ -7,7 +7,7 @@
 #include "framework/staff/class/csv.h"
 #include "framework/staff/class/exports.h"
 #include "framework/staff/class/hand_in_log.h"
-#include "framework/staff/class/standing.h"
+#include "framework/staff/class/record.h"
 #include "tests/support.h"
 
 namespace relief::grade {
@@ -274,7 +274,7 @@ TEST_F(ClassFiles, AreRememberedForLaterRunsInTheFolder) {
     EXPECT_EQ(class_file_of(marks), "");
 }
 
-// ---- the standing of students ----
+// ---- the record of students ----
 
 /// Returns three checks, of which so many passed.
 std::vector<check::Verdict> checks_with(int passed) {
@@ -304,38 +304,38 @@ TEST_F(ClassFiles, TheDenominatorIsTheSameForAll) {
     const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 3}}),
                                                submission("joe", {{"13.1", 3}, {"14.1", 3}})};
     // Without a class file, every lab that was graded in the class counts.
-    for (const Standing& one : class_standing(marks, {}, {}).students) EXPECT_EQ(one.of(), 6) << one.name;
+    for (const StudentRecord& one : class_record(marks, {}, {}).students) EXPECT_EQ(one.of(), 6) << one.name;
     // With a class file, its assigned labs count, also if nobody handed them in. Other labs do not count.
-    const ClassStanding both = class_standing(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {});
-    for (const Standing& one : both.students) EXPECT_EQ(one.of(), points_of_13 + points_of_14) << one.name;
-    const ClassStanding first = class_standing(marks, read(some_labs), {});
+    const ClassRecord both = class_record(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {});
+    for (const StudentRecord& one : both.students) EXPECT_EQ(one.of(), points_of_13 + points_of_14) << one.name;
+    const ClassRecord first = class_record(marks, read(some_labs), {});
     EXPECT_EQ(first.students[1].of(), points_of_13);
     EXPECT_EQ(first.students[1].points(), 3) << "lab 14 is not assigned";
     // In a run with --lab, only the given labs count.
-    EXPECT_EQ(class_standing(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {"14_adaptive_displacement"})
+    EXPECT_EQ(class_record(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {"14_adaptive_displacement"})
                   .students[0]
                   .of(),
               points_of_14);
-    EXPECT_TRUE(contains(message_of([&] { class_standing(marks, read(some_labs), {"14_adaptive_displacement"}); }),
+    EXPECT_TRUE(contains(message_of([&] { class_record(marks, read(some_labs), {"14_adaptive_displacement"}); }),
                          "assigns none of the labs"));
 }
 
 TEST_F(ClassFiles, OptionalTasksMakeUpForLostPointsUnlessTheyCountLikeOthers) {
-    const auto standing = [&](const SubmissionMark& mark, const std::string& text) {
+    const auto record = [&](const SubmissionMark& mark, const std::string& text) {
         const std::vector<SubmissionMark> own = {mark};
-        const ClassStanding all = class_standing(own, read("[[assigned]]\nlab = 14\n" + text), {});
+        const ClassRecord all = class_record(own, read("[[assigned]]\nlab = 14\n" + text), {});
         return std::pair(all.students[0].points(), all.students[0].of());
     };
     // 14.5 and 14.6 are optional. The marks say that each task of these submissions has 3 points.
     const std::vector<SubmissionMark> marks = {
         submission("few", {{"14.1", 2}, {"14.5", 3}}),
         submission("all", {{"14.1", 3}, {"14.2", 3}, {"14.3", 3}, {"14.4", 3}, {"14.5", 3}, {"14.7", 3}})};
-    EXPECT_EQ(standing(marks[0], ""), std::pair(5.0, points_of_14));
-    const auto [points, of] = standing(marks[1], "");
+    EXPECT_EQ(record(marks[0], ""), std::pair(5.0, points_of_14));
+    const auto [points, of] = record(marks[1], "");
     EXPECT_EQ(points, of) << "never more than the maximum";
-    EXPECT_EQ(standing(marks[0], "optional = true\n").first, 5);
-    EXPECT_GT(standing(marks[0], "optional = true\n").second, points_of_14);
-    EXPECT_GT(standing(marks[1], "optional = true\n").first, points);
+    EXPECT_EQ(record(marks[0], "optional = true\n").first, 5);
+    EXPECT_GT(record(marks[0], "optional = true\n").second, points_of_14);
+    EXPECT_GT(record(marks[1], "optional = true\n").first, points);
 }
 
 TEST_F(ClassFiles, NamesMatchInAnyUnicodeNormalForm) {
@@ -347,11 +347,11 @@ TEST_F(ClassFiles, NamesMatchInAnyUnicodeNormalForm) {
         read("roster = \"roster.csv\"\nhand_ins = \"times.csv\"\n" + some_labs +
              "[late]\npercent_per_day = 10\n[[extension]]\nstudent = \"" + apart + "\"\ndays = 1\n");
     const std::vector<SubmissionMark> marks = {submission(composed, {{"13.1", 1}})};
-    const ClassStanding standing = class_standing(marks, policy, {});
-    ASSERT_EQ(standing.students.size(), 1u);
-    EXPECT_EQ(standing.students[0].student.email, "zoe@x.org");
-    EXPECT_EQ(standing.students[0].adjusted(), 2);
-    EXPECT_EQ(standing.students[0].labs[0].days_late, 1) << "with its time, and with its extension";
+    const ClassRecord record = class_record(marks, policy, {});
+    ASSERT_EQ(record.students.size(), 1u);
+    EXPECT_EQ(record.students[0].student.email, "zoe@x.org");
+    EXPECT_EQ(record.students[0].adjusted(), 2);
+    EXPECT_EQ(record.students[0].labs[0].days_late, 1) << "with its time, and with its extension";
 }
 
 TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
@@ -364,7 +364,7 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
     const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 1}, {"13.2", 3}, {"14.1", 3}}),
                                                submission("joe", {{"13.1", 1}, {"13.2", 3}}),
                                                submission("ann", {{"13.1", 2}}), submission("bo", {{"13.1", 2}})};
-    const ClassStanding standing = class_standing(
+    const ClassRecord record = class_record(
         marks,
         read("hand_ins = \"times.csv\"\n" + some_labs +
              "[[assigned]]\nlab = 14\ndue = 2027-02-20\n[late]\npercent_per_day = 10\nfloor_percent = 50\n"
@@ -372,9 +372,9 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
              "[[student]]\nstudent = \"kim\"\n"
              "[[extension]]\nstudent = \"joe\"\ndays = 1\n[[extension]]\nstudent = \"joe\"\nlab = 13\ndays = 5\n"),
         {});
-    ASSERT_EQ(standing.students.size(), 5u);
-    const auto lab = [&](size_t student, size_t which) -> const LabStanding& {
-        return standing.students[student].labs[which];
+    ASSERT_EQ(record.students.size(), 5u);
+    const auto lab = [&](size_t student, size_t which) -> const LabRecord& {
+        return record.students[student].labs[which];
     };
     EXPECT_EQ(lab(0, 0).days_late, 2);
     EXPECT_DOUBLE_EQ(lab(0, 0).graded(), 4);
@@ -384,18 +384,18 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
     EXPECT_EQ(lab(1, 0).days_late, 0) << "the longer extension counts";
     EXPECT_EQ(lab(1, 0).extension_days, 5);
     EXPECT_DOUBLE_EQ(lab(1, 0).points(), 3 + 0) << "a task has at most its points and at least none";
-    EXPECT_EQ(standing.students[1].remarks(), (Cells{"13.1: +2 points: all", "13.2: -3 points: copied"}))
+    EXPECT_EQ(record.students[1].remarks(), (Cells{"13.1: +2 points: all", "13.2: -3 points: copied"}))
         << "as many as they change: 5 were asked for, and 9";
     EXPECT_EQ(lab(2, 0).late_share, 0.5);
-    EXPECT_FALSE(standing.students[3].on_roster);
+    EXPECT_FALSE(record.students[3].on_roster);
     EXPECT_EQ(lab(3, 0).days_late, 0) << "without a time nobody is late";
-    EXPECT_EQ(standing.students[4].name, "kim");
-    EXPECT_EQ(standing.students[4].mark, nullptr);
-    EXPECT_EQ(standing.students[4].points(), 2) << "an adjustment without a submission";
-    EXPECT_EQ(standing.students[4].state(), "nothing handed in");
-    EXPECT_EQ(standing.students[0].remarks(), (Cells{"13.1: +1 point: a slip; =1", "lab 13: 2 days late, 20 % less",
-                                                     "lab 14: 8 days late, 50 % less"}));
-    EXPECT_EQ(standing.notes,
+    EXPECT_EQ(record.students[4].name, "kim");
+    EXPECT_EQ(record.students[4].mark, nullptr);
+    EXPECT_EQ(record.students[4].points(), 2) << "an adjustment without a submission";
+    EXPECT_EQ(record.students[4].state(), "nothing handed in");
+    EXPECT_EQ(record.students[0].remarks(), (Cells{"13.1: +1 point: a slip; =1", "lab 13: 2 days late, 20 % less",
+                                                   "lab 14: 8 days late, 50 % less"}));
+    EXPECT_EQ(record.notes,
               (Cells{"1 student of the roster handed nothing in: kim", "1 submission is not on the roster: bo",
                      "1 submission has no time in hand_ins and counts as in time: bo"}));
 }
@@ -410,8 +410,8 @@ TEST_F(ClassFiles, TheBankPaysForLateDaysInTheOrderOfTheDueDates) {
                              "[late]\npercent_per_day = 10\nbank_days = 3\nbank_days_per_lab = 2\n";
     const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 3}, {"14.1", 3}}),
                                                submission("joe", {{"13.1", 3}})};
-    const ClassStanding standing = class_standing(marks, read(text), {});
-    const Standing& jane = standing.students[0];
+    const ClassRecord record = class_record(marks, read(text), {});
+    const StudentRecord& jane = record.students[0];
     EXPECT_EQ(jane.labs[1].days_late, 3);
     EXPECT_EQ(jane.labs[1].bank_days, 2) << "at most as many as one lab may use";
     EXPECT_DOUBLE_EQ(jane.labs[1].points(), 0.9 * 3);
@@ -422,26 +422,26 @@ TEST_F(ClassFiles, TheBankPaysForLateDaysInTheOrderOfTheDueDates) {
     EXPECT_EQ(jane.remarks(),
               (Cells{"lab 13: 2 days late, of which 1 cost nothing, 10 % less",
                      "lab 14: 3 days late, of which 2 cost nothing, 10 % less", "late days of the term: 3 of 3 used"}));
-    EXPECT_TRUE(contains(to_table(standing), "late days")) << to_table(standing);
-    EXPECT_TRUE(contains(to_table(standing), "      3/3  late: 0.6 less\n")) << to_table(standing);
+    EXPECT_TRUE(contains(to_table(record), "late days")) << to_table(record);
+    EXPECT_TRUE(contains(to_table(record), "      3/3  late: 0.6 less\n")) << to_table(record);
     EXPECT_TRUE(
-        contains(to_late_days(standing), "\njane,13,2027-03-01 23:59 +01:00,2027-03-03 10:00 +01:00,2,1,1,3,0,0,,0,\n"))
-        << to_late_days(standing);
-    EXPECT_TRUE(contains(to_csv(standing), "late days used (of 3)"));
-    EXPECT_EQ(standing.students[1].bank_used, 0);
-    EXPECT_TRUE(standing.students[1].remarks().empty());
+        contains(to_late_days(record), "\njane,13,2027-03-01 23:59 +01:00,2027-03-03 10:00 +01:00,2,1,1,3,0,0,,0,\n"))
+        << to_late_days(record);
+    EXPECT_TRUE(contains(to_csv(record), "late days used (of 3)"));
+    EXPECT_EQ(record.students[1].bank_used, 0);
+    EXPECT_TRUE(record.students[1].remarks().empty());
 
     // A run of lab 13 alone knows from hand_ins.csv what lab 14 has used.
     const std::vector<SubmissionMark> only_13 = {submission("jane", {{"13.1", 3}})};
-    const ClassStanding alone = class_standing(only_13, read(text), {"13_displacement"});
+    const ClassRecord alone = class_record(only_13, read(text), {"13_displacement"});
     EXPECT_EQ(alone.students[0].labs[0].bank_days, 1);
     EXPECT_EQ(alone.students[0].bank_used, 3);
 
     // Days that the bank pays in full change no points.
-    const ClassStanding paid = class_standing(marks,
-                                              read(text + "grace_hours = 0\nfloor_percent = 0\n"
-                                                          "[[extension]]\nstudent = \"jane\"\ndays = 1\n"),
-                                              {});
+    const ClassRecord paid = class_record(marks,
+                                          read(text + "grace_hours = 0\nfloor_percent = 0\n"
+                                                      "[[extension]]\nstudent = \"jane\"\ndays = 1\n"),
+                                          {});
     EXPECT_EQ(paid.students[0].labs[1].bank_days, 2);
     EXPECT_EQ(paid.students[0].labs[0].bank_days, 1);
     EXPECT_FALSE(paid.students[0].is_changed());
@@ -449,8 +449,8 @@ TEST_F(ClassFiles, TheBankPaysForLateDaysInTheOrderOfTheDueDates) {
 
     // A day that the bank does not pay costs as before, and the bank is off without the key.
     folder.write("times.csv", "student,lab,handed_in\njane,13,2027-03-03 10:00\n");
-    const ClassStanding without =
-        class_standing(only_13, read("hand_ins = \"times.csv\"\n" + some_labs + "[late]\npercent_per_day = 10\n"), {});
+    const ClassRecord without =
+        class_record(only_13, read("hand_ins = \"times.csv\"\n" + some_labs + "[late]\npercent_per_day = 10\n"), {});
     EXPECT_DOUBLE_EQ(without.students[0].points(), 0.8 * 3);
 }
 
@@ -496,63 +496,63 @@ TEST(HandInLog, KeepsTheMarksOfLabsThatALaterRunDoesNotGrade) {
 
 class Teams : public ClassFiles {
 protected:
-    /// Returns the standing of a class in which jane and joe are a team, and kim has none.
-    ClassStanding standing_of_class(const std::vector<SubmissionMark>& marks, const std::string& more = "") {
+    /// Returns the record of a class in which jane and joe are a team, and kim has none.
+    ClassRecord record_of_class(const std::vector<SubmissionMark>& marks, const std::string& more = "") {
         folder.write("roster.csv", "student,canvas_id,team\njane,1,red\njoe,2,red\nkim,3,\n");
-        return class_standing(marks, read("roster = \"roster.csv\"\n" + more + some_labs + "[[assigned]]\nlab = 14\n"),
-                              {});
+        return class_record(marks, read("roster = \"roster.csv\"\n" + more + some_labs + "[[assigned]]\nlab = 14\n"),
+                            {});
     }
-    static const Standing& of(const ClassStanding& standing, const std::string& name) {
-        for (const Standing& one : standing.students)
+    static const StudentRecord& of(const ClassRecord& record, const std::string& name) {
+        for (const StudentRecord& one : record.students)
             if (one.name == name) return one;
-        throw Error("no standing of " + name);
+        throw Error("no record of " + name);
     }
 };
 
 TEST_F(Teams, OneSubmissionOfAMemberCountsForAll) {
     const std::vector marks = {submission("joe", {{"13.1", 2}, {"14.1", 3}}), submission("kim", {{"13.1", 1}})};
-    const ClassStanding standing = standing_of_class(marks);
-    EXPECT_EQ(standing.students.size(), 3u);
+    const ClassRecord record = record_of_class(marks);
+    EXPECT_EQ(record.students.size(), 3u);
     for (const char* member : {"jane", "joe"}) {
-        EXPECT_EQ(of(standing, member).points(), 5) << member;
-        EXPECT_EQ(of(standing, member).state(), "graded");
+        EXPECT_EQ(of(record, member).points(), 5) << member;
+        EXPECT_EQ(of(record, member).state(), "graded");
     }
-    EXPECT_EQ(of(standing, "joe").remarks(), Cells{}) << "there is nothing to choose";
-    EXPECT_EQ(of(standing, "jane").remarks(), Cells{"the submission 'joe' counts for team red"});
-    EXPECT_EQ(of(standing, "kim").points(), 1);
-    EXPECT_EQ(standing.notes, Cells{}) << "nobody of the team is missing";
-    const std::string csv = to_csv(standing), canvas = to_canvas(standing);
+    EXPECT_EQ(of(record, "joe").remarks(), Cells{}) << "there is nothing to choose";
+    EXPECT_EQ(of(record, "jane").remarks(), Cells{"the submission 'joe' counts for team red"});
+    EXPECT_EQ(of(record, "kim").points(), 1);
+    EXPECT_EQ(record.notes, Cells{}) << "nobody of the team is missing";
+    const std::string csv = to_csv(record), canvas = to_canvas(record);
     EXPECT_TRUE(contains(csv, "\njane,graded,5,")) << csv;
     EXPECT_TRUE(contains(csv, ",section,team,")) << csv;
     EXPECT_TRUE(contains(csv, ",red,")) << csv;
     EXPECT_TRUE(contains(canvas, "jane,1,,,,2,3\n")) << canvas;
     EXPECT_TRUE(contains(canvas, "joe,2,,,,2,3\n")) << canvas;
-    EXPECT_TRUE(contains(to_surefire(of(standing, "jane")), "name=\"points\" value=\"5\""));
+    EXPECT_TRUE(contains(to_surefire(of(record, "jane")), "name=\"points\" value=\"5\""));
 }
 
 TEST_F(Teams, ASubmissionOfTheTeamsNameCountsAndHasNoRowOfItsOwn) {
     const std::vector marks = {submission("red", {{"13.1", 2}})};
-    const ClassStanding standing = standing_of_class(marks);
-    EXPECT_EQ(standing.students.size(), 3u);
-    EXPECT_EQ(of(standing, "jane").points(), 2);
-    EXPECT_EQ(of(standing, "joe").points(), 2);
-    EXPECT_EQ(standing.notes, Cells{"1 student of the roster handed nothing in: kim"});
+    const ClassRecord record = record_of_class(marks);
+    EXPECT_EQ(record.students.size(), 3u);
+    EXPECT_EQ(of(record, "jane").points(), 2);
+    EXPECT_EQ(of(record, "joe").points(), 2);
+    EXPECT_EQ(record.notes, Cells{"1 student of the roster handed nothing in: kim"});
 }
 
 TEST_F(Teams, OfTwoSubmissionsTheLastCountsLabByLab) {
     const std::vector marks = {submission("jane", {{"13.1", 3}}), submission("joe", {{"13.1", 1}, {"14.1", 2}})};
     folder.write("times.csv", "student,lab,handed_in\njane,,2027-02-20 10:00\njoe,,2027-02-21 10:00\n");
-    const ClassStanding standing = standing_of_class(marks, "hand_ins = \"times.csv\"\n");
+    const ClassRecord record = record_of_class(marks, "hand_ins = \"times.csv\"\n");
     const std::string why = "lab 13: the submission 'joe' counts for team red, and not 'jane': it was handed in last";
     for (const char* member : {"jane", "joe"}) {
-        EXPECT_EQ(of(standing, member).points(), 3) << member << ": 1 in lab 13, 2 in lab 14";
-        EXPECT_EQ(of(standing, member).remarks(), Cells{why});
-        EXPECT_EQ(of(standing, member).remarks("13_displacement"), Cells{why});
-        EXPECT_EQ(of(standing, member).remarks(lab_14), Cells{});
+        EXPECT_EQ(of(record, member).points(), 3) << member << ": 1 in lab 13, 2 in lab 14";
+        EXPECT_EQ(of(record, member).remarks(), Cells{why});
+        EXPECT_EQ(of(record, member).remarks("13_displacement"), Cells{why});
+        EXPECT_EQ(of(record, member).remarks(lab_14), Cells{});
     }
-    EXPECT_EQ(standing.notes, (Cells{why, "1 student of the roster handed nothing in: kim"}));
+    EXPECT_EQ(record.notes, (Cells{why, "1 student of the roster handed nothing in: kim"}));
     folder.write("times.csv", "student,lab,handed_in\njoe,,2027-02-21 10:00\n");
-    const ClassStanding untimed = standing_of_class(marks, "hand_ins = \"times.csv\"\n");
+    const ClassRecord untimed = record_of_class(marks, "hand_ins = \"times.csv\"\n");
     EXPECT_EQ(of(untimed, "joe").points(), 5) << "3 in lab 13, 2 in lab 14";
     EXPECT_EQ(
         of(untimed, "joe").remarks(),
@@ -569,10 +569,10 @@ TEST_F(Teams, LatenessIsThatOfTheSubmissionThatCountsAndAnExtensionIsForAll) {
     folder.write("marks/adjustments.csv", "student,task,points,note\njoe,13.1,-1,was absent\n");
     folder.write("roster.csv", "student,team\njane,red\njoe,red\n");
     const std::string text = "roster = \"roster.csv\"\n" + late + some_labs + "[late]\npercent_per_day = 10\n";
-    const ClassStanding standing = class_standing(marks, read(text), {});
-    EXPECT_DOUBLE_EQ(of(standing, "jane").points(), 0.7 * 3);
-    EXPECT_DOUBLE_EQ(of(standing, "joe").points(), 0.7 * 2) << "an adjustment is a member's own";
-    const ClassStanding longer = class_standing(marks, read(text + "[[extension]]\nstudent = \"joe\"\ndays = 2\n"), {});
+    const ClassRecord record = class_record(marks, read(text), {});
+    EXPECT_DOUBLE_EQ(of(record, "jane").points(), 0.7 * 3);
+    EXPECT_DOUBLE_EQ(of(record, "joe").points(), 0.7 * 2) << "an adjustment is a member's own";
+    const ClassRecord longer = class_record(marks, read(text + "[[extension]]\nstudent = \"joe\"\ndays = 2\n"), {});
     EXPECT_DOUBLE_EQ(of(longer, "jane").points(), 0.9 * 3);
     EXPECT_DOUBLE_EQ(of(longer, "joe").points(), 0.9 * 2);
 }
@@ -580,9 +580,9 @@ TEST_F(Teams, LatenessIsThatOfTheSubmissionThatCountsAndAnExtensionIsForAll) {
 TEST_F(Teams, AWaitingSubmissionIsThatOfAllMembers) {
     folder.write("roster.csv", "student,team\njane,red\njoe,red\nkim,\n");
     const std::vector<SubmissionMark> none;
-    const ClassStanding standing = class_standing(none, read("roster = \"roster.csv\"\n" + some_labs), {}, {"joe"});
-    EXPECT_EQ(of(standing, "jane").state(), "not graded yet");
-    EXPECT_EQ(of(standing, "kim").state(), "nothing handed in");
+    const ClassRecord record = class_record(none, read("roster = \"roster.csv\"\n" + some_labs), {}, {"joe"});
+    EXPECT_EQ(of(record, "jane").state(), "not graded yet");
+    EXPECT_EQ(of(record, "kim").state(), "nothing handed in");
 }
 
 TEST_F(Teams, OfAStudentsNameAreRefused) {
@@ -596,36 +596,36 @@ TEST_F(ClassFiles, AdjustmentsOfUnknownStudentsOrTasksAreRefused) {
                                                submission("m\xfcller", {{"13.1", 1}})};
     const auto said = [&](const std::string& row) {
         folder.write("marks/adjustments.csv", "student,task,points,note\n" + row + "\n");
-        return message_of([&] { class_standing(marks, read_class_file({}, folder.path() / "marks"), {}); });
+        return message_of([&] { class_record(marks, read_class_file({}, folder.path() / "marks"), {}); });
     };
     EXPECT_TRUE(contains(said("jan,13.1,1,x"), "adjustments.csv:2: 'jan' is not in the class: did you mean 'jane'?"));
     EXPECT_TRUE(contains(said("jane,13.9,1,x"), "adjustments.csv:2: unknown task '13.9'"));
     // A name that is not UTF-8 is written as in results.csv.
     folder.write("marks/adjustments.csv", "student,task,points,note\nm\\xfcller,13.1,1,x\n");
-    EXPECT_EQ(class_standing(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
+    EXPECT_EQ(class_record(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
 }
 
 TEST_F(ClassFiles, WithoutARosterAnExtensionForAnUnknownStudentIsReported) {
     const ClassFile policy = read(some_labs + "[[extension]]\nstudent = \"jnae\"\ndays = 3\n");
     const std::vector marks = {submission("jane", {{"13.1", 1}})};
-    EXPECT_EQ(class_standing(marks, policy, {}).notes, Cells{"1 extension is for nobody who handed in: jnae"});
+    EXPECT_EQ(class_record(marks, policy, {}).notes, Cells{"1 extension is for nobody who handed in: jnae"});
 }
 
 TEST_F(ClassFiles, AnUngradedSubmissionIsNotReportedAsMissing) {
     const std::vector marks = {submission("jane", {{"13.1", 1}})};
-    const ClassStanding standing = class_standing(marks, read(some_students), {}, {"jane", "joe"});
-    EXPECT_EQ(standing.students.at(1).state(), "not graded yet");
-    EXPECT_FALSE(standing.students[1].is_marked());
-    EXPECT_EQ(standing.notes, Cells{});
+    const ClassRecord record = class_record(marks, read(some_students), {}, {"jane", "joe"});
+    EXPECT_EQ(record.students.at(1).state(), "not graded yet");
+    EXPECT_FALSE(record.students[1].is_marked());
+    EXPECT_EQ(record.notes, Cells{});
 }
 
 TEST_F(ClassFiles, ALabThatTheMachineCouldNotGradeHasNoMark) {
     std::vector marks = {submission("jane", {{"13.1", 1}, {"14.1", 1}})};
     marks[0].labs[0].tasks[0].checks[0].outcome = check::Outcome::machine;
-    const ClassStanding standing = class_standing(marks, {}, {});
-    EXPECT_FALSE(standing.students[0].is_marked());
-    EXPECT_FALSE(standing.students[0].labs[0].marked);
-    EXPECT_TRUE(standing.students[0].labs[1].marked);
+    const ClassRecord record = class_record(marks, {}, {});
+    EXPECT_FALSE(record.students[0].is_marked());
+    EXPECT_FALSE(record.students[0].labs[0].marked);
+    EXPECT_TRUE(record.students[0].labs[1].marked);
 }
 
 }  // namespace

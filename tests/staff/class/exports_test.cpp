@@ -32,7 +32,7 @@ const std::vector<std::string> hostile = {"Doe, \"Jane\"",
 /// A class of hostile names. Each student has a failed hidden check, a hostile message, an adjustment and a late lab.
 struct HostileClass {
     std::vector<SubmissionMark> marks;
-    ClassStanding standing;
+    ClassRecord record;
 
     HostileClass() {
         ClassFile policy;
@@ -68,7 +68,7 @@ struct HostileClass {
             policy.hand_ins.push_back({key, "", due + std::chrono::hours(1)});
         }
         policy.students.push_back({"absent", "Not There", "absent@x.org", "away", "99", "sis99", ""});
-        standing = class_standing(marks, policy, {});
+        record = class_record(marks, policy, {});
     }
 };
 constexpr double counted = (2 + 1) * 0.9;  // an adjustment, and a day late
@@ -107,7 +107,7 @@ void expect_harmless(const std::string& text) {
 
 TEST(ResultsCsv, HasIdentifiersMaximaAndNoFormulas) {
     const HostileClass some;
-    const std::string text = to_csv(some.standing);
+    const std::string text = to_csv(some.record);
     expect_harmless(text);
     const std::vector<Cells> rows = strict_rows(text);
     EXPECT_EQ(rows.at(0),
@@ -128,7 +128,7 @@ TEST(ResultsCsv, HasIdentifiersMaximaAndNoFormulas) {
 // as "Title (id)". The row of maxima has "Points Possible" in its first cell. Grades are numbers with a decimal point.
 TEST(Canvas, TakesTheGradebook) {
     const HostileClass some;
-    const std::string text = to_canvas(some.standing);
+    const std::string text = to_canvas(some.record);
     expect_harmless(text);
     const std::vector<Cells> rows = strict_rows(text);
     EXPECT_EQ(rows.at(0), (Cells{"Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Lab 2 (4711)"}));
@@ -148,11 +148,11 @@ TEST(Canvas, TakesTheGradebook) {
 
 TEST(Canvas, KeepsFractionsOfAPoint) {
     HostileClass some;
-    LabStanding& lab = some.standing.students[0].labs[0];
+    LabRecord& lab = some.record.students[0].labs[0];
     lab.late_share = 1;
     for (const auto& [points, text] : {std::pair(2.3125, "2.3125"), {7.0 / 9 * 3, "2.333333333"}, {0.1 + 0.2, "0.3"}}) {
         lab.tasks[0].adjusted = points;
-        EXPECT_EQ(strict_rows(to_canvas(some.standing))[2][5], text);
+        EXPECT_EQ(strict_rows(to_canvas(some.record))[2][5], text);
     }
 }
 
@@ -172,9 +172,9 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
     sheet += "Participant 12,Locked,s1@x.org,No submission,7.00,100.00,No,-,-,before\n";
     sheet += "Participant 13,Not There,absent@x.org,No submission,,100.00,Yes,-,-,\n";
     sheet += "Participant 14,Somebody,other@x.org,No submission,,100.00,Yes,-,-,\n";
-    some.standing.policy.labs[0].moodle = folder.write("sheet.csv", sheet);
+    some.record.policy.labs[0].moodle = folder.write("sheet.csv", sheet);
     Cells notes;
-    const std::string text = to_moodle(some.standing, some.standing.policy.labs[0], notes);
+    const std::string text = to_moodle(some.record, some.record.policy.labs[0], notes);
     const std::vector<Cells> before = strict_rows(sheet.substr(3)), after = strict_rows(text);
     EXPECT_TRUE(text.starts_with(head)) << "Moodle finds columns by their names";
     ASSERT_EQ(after.size(), before.size());
@@ -193,8 +193,8 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
     EXPECT_EQ(
         notes,
         Cells{"sheet.csv: 1 of 4 rows have no email address, username or ID number of the roster: Participant 14"});
-    some.standing.policy.labs[0].moodle = folder.write("german.csv", "ID,Bewertung\nTeilnehmer 1,\n");
-    EXPECT_TRUE(contains(message_of([&] { to_moodle(some.standing, some.standing.policy.labs[0], notes); }),
+    some.record.policy.labs[0].moodle = folder.write("german.csv", "ID,Bewertung\nTeilnehmer 1,\n");
+    EXPECT_TRUE(contains(message_of([&] { to_moodle(some.record, some.record.policy.labs[0], notes); }),
                          "german.csv:1: has no column 'Identifier': download Moodle's grading worksheet again"));
 }
 
@@ -210,7 +210,7 @@ bool is_utf8(const std::string& text) {
 // max_points.
 TEST(PrairieLearn, TakesTheResults) {
     const HostileClass some;
-    for (const Standing& one : some.standing.students) {
+    for (const StudentRecord& one : some.record.students) {
         const std::string text = to_prairielearn(one);
         EXPECT_LT(text.size(), 1'000'000u);
         const json result = json::parse(text);
@@ -229,15 +229,15 @@ TEST(PrairieLearn, TakesTheResults) {
     }
     SubmissionMark unreadable, failed = some.marks[0], large = some.marks[0];
     unreadable.problem = "the archive is damaged";
-    EXPECT_EQ(json::parse(to_prairielearn(standing_of(unreadable))),
+    EXPECT_EQ(json::parse(to_prairielearn(record_of(unreadable))),
               (json{{"gradable", false}, {"format_errors", {"the archive is damaged"}}}));
     failed.labs[0].tasks[0].checks[0].outcome = check::Outcome::machine;
-    const json result = json::parse(to_prairielearn(standing_of(failed)));
+    const json result = json::parse(to_prairielearn(record_of(failed)));
     EXPECT_EQ(result.at("gradable"), false) << "costs no attempt";
     EXPECT_FALSE(result.contains("score"));
     large.labs[0].tasks[0].checks.resize(
         1000, {.outcome = check::Outcome::wrong, .found = std::string(4000, 'x'), .name = "many"});
-    EXPECT_LT(to_prairielearn(standing_of(large)).size(), 1'000'000u);
+    EXPECT_LT(to_prairielearn(record_of(large)).size(), 1'000'000u);
 }
 
 /// A submission whose first check fails in its own view, the second in a hidden view, and the third is hidden.
@@ -267,17 +267,17 @@ std::vector<ExportPicture> pictures_of_all(size_t bytes) {
 
 TEST(PrairieLearn, ShowsPicturesOfFailedChecksInViewsThatStudentsKnow) {
     const SubmissionMark mark = with_failures();
-    const json tests = json::parse(to_prairielearn(standing_of(mark), pictures_of_all(8))).at("tests");
+    const json tests = json::parse(to_prairielearn(record_of(mark), pictures_of_all(8))).at("tests");
     EXPECT_EQ(tests[0].at("images"), (json{{{"label", "yours"}, {"url", "data:image/png;base64,AAAAAAAA"}}}));
     for (const int hidden_or_right : {1, 2, 3}) EXPECT_FALSE(tests[size_t(hidden_or_right)].contains("images"));
-    const std::string large = to_prairielearn(standing_of(mark), pictures_of_all(1'000'000));
+    const std::string large = to_prairielearn(record_of(mark), pictures_of_all(1'000'000));
     EXPECT_LT(large.size(), 1'000'000u);
     EXPECT_TRUE(contains(json::parse(large)["tests"][0].at("output").get<std::string>(), "<b> & more"));
 }
 
 TEST(Gradescope, ShowsPicturesOfFailedChecksInViewsThatStudentsKnow) {
     const SubmissionMark mark = with_failures();
-    const json tests = json::parse(to_gradescope(standing_of(mark), pictures_of_all(8))).at("tests");
+    const json tests = json::parse(to_gradescope(record_of(mark), pictures_of_all(8))).at("tests");
     EXPECT_EQ(tests[0].at("output_format"), "html");
     const std::string html = tests[0].at("output");
     EXPECT_TRUE(contains(html, "wrong: &lt;b&gt; &amp; more</pre>")) << html;
@@ -295,8 +295,8 @@ TEST(Exports, PointsOfTheListedChecksAddUpToTheMark) {
     checks[1].outcome = check::Outcome::passed;
     const double points = mark.labs[0].points();
     EXPECT_NEAR(points, 4.0 / 3, 1e-9);
-    for (const auto& [text, got, most] : {std::tuple(to_prairielearn(standing_of(mark)), "points", "max_points"),
-                                          std::tuple(to_gradescope(standing_of(mark)), "score", "max_score")}) {
+    for (const auto& [text, got, most] : {std::tuple(to_prairielearn(record_of(mark)), "points", "max_points"),
+                                          std::tuple(to_gradescope(record_of(mark)), "score", "max_score")}) {
         double sum = 0, all = 0;
         const json tests = json::parse(text).at("tests");
         for (const json& test : tests) sum += test.value(got, 0.0), all += test.value(most, 0.0);
@@ -315,7 +315,7 @@ TEST(Gradescope, TakesTheResultsAsPlainText) {
                                         "output", "output_format", "tags",   "visibility", "extra_data"},
                                 visibilities = {"hidden", "after_due_date", "after_published", "visible"};
     const HostileClass some;
-    for (const Standing& one : some.standing.students) {
+    for (const StudentRecord& one : some.record.students) {
         const json result = json::parse(to_gradescope(one));
         for (const auto& [key, value] : result.items()) EXPECT_TRUE(top.contains(key)) << key;
         for (const char* key : {"output_format", "test_output_format", "test_name_format"})
@@ -343,7 +343,7 @@ TEST(Gradescope, TakesTheResultsAsPlainText) {
     }
     SubmissionMark open = some.marks[0];
     open.labs[0].tasks[0].checks.pop_back();
-    EXPECT_FALSE(contains(to_gradescope(standing_of(open)), "hidden"));
+    EXPECT_FALSE(contains(to_gradescope(record_of(open)), "hidden"));
 }
 
 // ---- JUnit ----
@@ -435,7 +435,7 @@ Keys keys_of(const Element& element) {
 }
 
 /// Expects the common parts of both kinds of suite. The counts must agree with the cases.
-void expect_cases(const Element& suite, const Standing& one) {
+void expect_cases(const Element& suite, const StudentRecord& one) {
     std::map<std::string, int> found;
     for (const Element& child : suite.children) {
         if (child.name != "testcase") continue;
@@ -465,7 +465,7 @@ void expect_cases(const Element& suite, const Standing& one) {
 // children in this order. Jenkins' schema (junit-10.xsd) allows all of this.
 TEST(JUnit, IsReadByAntAndJenkins) {
     const HostileClass some;
-    const Element root = Xml(to_junit(some.standing, parse_moment("2027-03-01T12:34:56Z", {}, {}))).root();
+    const Element root = Xml(to_junit(some.record, parse_moment("2027-03-01T12:34:56Z", {}, {}))).root();
     EXPECT_EQ(root.name, "testsuites");
     EXPECT_EQ(keys_of(root), Keys{});
     ASSERT_EQ(root.children.size(), hostile.size() + 1);
@@ -479,7 +479,7 @@ TEST(JUnit, IsReadByAntAndJenkins) {
         order.erase(std::remove(order.begin(), order.end(), "testcase"), order.end());
         EXPECT_EQ(order, (Cells{"properties", "system-out", "system-err"}));
         EXPECT_EQ(suite.names()[1], "testcase");
-        expect_cases(suite, some.standing.students[i]);
+        expect_cases(suite, some.record.students[i]);
     }
     EXPECT_EQ(root.children[0].attributes.at("failures"), "1");
 }
@@ -487,7 +487,7 @@ TEST(JUnit, IsReadByAntAndJenkins) {
 // surefire-test-report.xsd: the root is a suite with exactly these attributes. Times have at most three decimals.
 TEST(JUnit, MatchesTheSurefireSchema) {
     const HostileClass some;
-    for (const Standing& one : some.standing.students) {
+    for (const StudentRecord& one : some.record.students) {
         const Element suite = Xml(to_surefire(one)).root();
         EXPECT_EQ(suite.name, "testsuite");
         EXPECT_EQ(keys_of(suite), (Keys{"name", "time", "tests", "errors", "skipped", "failures"}));
@@ -500,7 +500,7 @@ TEST(JUnit, MatchesTheSurefireSchema) {
 
 TEST(Table, ShowsOneMaximumForAllAndEachChange) {
     const HostileClass some;
-    const std::vector<std::string> lines = split(to_table(some.standing), '\n');
+    const std::vector<std::string> lines = split(to_table(some.record), '\n');
     EXPECT_TRUE(contains(lines.at(1), "2.7/4")) << lines[1];
     EXPECT_TRUE(contains(lines.at(1), "adjusted by 1  late: 0.3 less")) << lines[1];
     // The points of 2.7/4 and 0/4 stand below each other, and so do the words behind them.

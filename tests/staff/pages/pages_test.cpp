@@ -5,7 +5,7 @@
 #include "framework/staff/pages/export_pictures.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/question_pages.h"
-#include "framework/staff/pages/standing_part.h"
+#include "framework/staff/pages/record_part.h"
 #include "framework/staff/pages/student_page.h"
 #include "tests/support.h"
 
@@ -99,7 +99,7 @@ TEST(StudentPage, ShowsASubmissionAsText) {
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::student)), 15);
 }
 
-TEST(StudentPage, UpdatesTheStandingAndKeepsTheRest) {
+TEST(StudentPage, UpdatesTheRecordAndKeepsTheRest) {
     grade::SubmissionMark mark = some_submission();
     mark.name = "jane", mark.labs[0].lab = "02_lab", mark.labs[0].tasks[0].id = "2.1";
     grade::ClassFile policy;
@@ -112,24 +112,24 @@ TEST(StudentPage, UpdatesTheStandingAndKeepsTheRest) {
     policy.adjustments = {{"jane", "2.1", 0.5, hostile, {}}};
     policy.extensions = {{"jane", "", 1, "ill"}};
     policy.hand_ins = {{"jane", "", grade::parse_moment("2027-03-03T11:00Z", {}, {})}};
-    const std::vector<grade::SubmissionMark> marks = {mark};  // the standing points to it
-    const grade::ClassStanding standing = grade::class_standing(marks, policy, {});
+    const std::vector<grade::SubmissionMark> marks = {mark};  // the record points to it
+    const grade::ClassRecord record = grade::class_record(marks, policy, {});
     for (const PageFor reader : {PageFor::instructor, PageFor::student}) {
         const std::string before = student_page(mark, {}, reader);
-        const std::string page = with_standing(before, standing.students[0], grade::UtcOffset(60), reader);
-        EXPECT_TRUE(contains(page, "1 day late: 50 % less")) << page.substr(page.find("<!--standing"), 900);
+        const std::string page = with_record(before, record.students[0], grade::UtcOffset(60), reader);
+        EXPECT_TRUE(contains(page, "1 day late: 50 % less")) << page.substr(page.find("<!--record"), 900);
         EXPECT_TRUE(contains(page, "due 2027-03-02 13:00 +01:00, with 1 day of extension"));
         EXPECT_TRUE(contains(page, "handed in 2027-03-03 12:00 +01:00"));
         EXPECT_EQ(contains(page, "extension: ill"), reader == PageFor::instructor)
             << "the student's page tells no reason";
         EXPECT_EQ(times_escaped(page), times_escaped(before) + 1) << "a note is text";
-        EXPECT_EQ(with_standing(page, standing.students[0], grade::UtcOffset(60), reader), page);
-        EXPECT_EQ(with_standing(page, grade::standing_of(mark), grade::UtcOffset(0), reader), before)
+        EXPECT_EQ(with_record(page, record.students[0], grade::UtcOffset(60), reader), page);
+        EXPECT_EQ(with_record(page, grade::record_of(mark), grade::UtcOffset(0), reader), before)
             << "and everything else stays";
     }
     grade::ClassReport report;
     report.marks = marks;
-    EXPECT_GT(times_escaped(class_page(report, standing)), times_escaped(class_page(report)));
+    EXPECT_GT(times_escaped(class_page(report, record)), times_escaped(class_page(report)));
 }
 
 TEST(ClassPage, ShowsSubmissionsAsText) {

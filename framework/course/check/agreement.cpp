@@ -1,4 +1,4 @@
-#include "framework/course/check/likeness.h"
+#include "framework/course/check/agreement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,17 +41,17 @@ double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe
     return count > 0 ? std::max(exactness.probe * sum / double(count), rounding_of(solution)) : 1e-6;
 }
 
-bool is_like(const Likeness& one, bool passed, const Exactness& exactness) {
+bool is_like(const Agreement& one, bool passed, const Exactness& exactness) {
     return one.differ == 0 ? passed : one.share() >= exactness.agreement;
 }
 
-void Likeness::add_kind(float value, double tolerance) {
+void Agreement::add_kind(float value, double tolerance) {
     if (is_certain()) return;
     if (std::none_of(kinds.begin(), kinds.end(), [&](float kind) { return is_near(kind, value, tolerance); }))
         kinds.push_back(value);
 }
 
-void Likeness::add(const Likeness& other) {
+void Agreement::add(const Agreement& other) {
     differ += other.differ, agree += other.agree;
     for (const float kind : other.kinds) add_kind(kind, 0);
 }
@@ -61,24 +61,24 @@ std::string told(const std::string& hint, bool is_certain, size_t failed_checks)
     return is_certain && failed_checks > 1 && !is_one_of_several ? hint : "Perhaps: " + hint;
 }
 
-Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
-                  const Exactness& exactness) {
+Agreement agreement(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
+                    const Exactness& exactness) {
     if (!drawn.is_drawn || !mistake.is_drawn) {
         const bool same = drawn.is_drawn == mistake.is_drawn && drawn.error == mistake.error;
         const size_t weight = std::min(error_weight, solution.values.size());
         return {.differ = weight, .agree = same ? weight : 0};
     }
     const double tolerance = tolerance_of(mistake, solution, is_probe, exactness);
-    Likeness likeness;
+    Agreement agreement;
     for (size_t i = 0; i < drawn.values.size(); ++i) {
         const float d = drawn.values[i], m = mistake.values[i], s = solution.values[i];
         if (is_near(d, s, tolerance) && is_near(m, s, tolerance)) continue;
-        ++likeness.differ;
+        ++agreement.differ;
         if (!is_near(d, m, tolerance)) continue;
-        ++likeness.agree;
-        likeness.add_kind(m, tolerance);
+        ++agreement.agree;
+        agreement.add_kind(m, tolerance);
     }
-    return likeness;
+    return agreement;
 }
 
 }  // namespace relief::check

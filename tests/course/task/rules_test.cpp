@@ -1,6 +1,6 @@
 // A task's shader may contain only its functions. Text that could change the lab's other shaders is refused, other text
 // is not.
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 
 #include <optional>
 #include <set>
@@ -13,13 +13,13 @@
 namespace relief::check {
 namespace {
 
-TEST(Reach, RejectsATaskThatChangesOrReadsTheLabsShaders) {
+TEST(TaskRules, RejectsATaskThatChangesOrReadsTheLabsShaders) {
     OtherShaders others;
     others.add(
         "uniform vec3 u_eye; // see secret\nvec3 lit(vec3 n) { return max(n, 0.0); }\nvoid main() { o_color = "
         "lit(u_eye); }");
     const auto said = [&](const std::string& more) {
-        return reaches_beyond("float f(in float x) { return x; }\n" + more, others);
+        return broken_rule("float f(in float x) { return x; }\n" + more, others);
     };
     for (const std::string honest :
          {"", "#define PI 3.14\n#define secret 1\n",
@@ -41,11 +41,11 @@ TEST(Reach, RejectsATaskThatChangesOrReadsTheLabsShaders) {
     }
 }
 
-TEST(Reach, RejectsATaskThatDistinguishesThePrograms) {
+TEST(TaskRules, RejectsATaskThatDistinguishesThePrograms) {
     OtherShaders others;
     others.add(
         "#define SIZE 3\n#if defined PROBE_uv || METHOD == 2\n#endif\n#ifdef SIZE\n#elif WIRE\n#endif\nvoid main() {}");
-    const auto said = [&](const std::string& text) { return reaches_beyond(text, others); };
+    const auto said = [&](const std::string& text) { return broken_rule(text, others); };
     const auto refused = [](const std::string& word) {
         return "has '" + word + "', by which the lab tells its programs apart: a task is the same in all of them";
     };
@@ -58,10 +58,10 @@ TEST(Reach, RejectsATaskThatDistinguishesThePrograms) {
         << "the shaders' own, and a student's";
 }
 
-TEST(Reach, RejectsMacrosThatFormNamesOrRedefineBuiltins) {
+TEST(TaskRules, RejectsMacrosThatFormNamesOrRedefineBuiltins) {
     OtherShaders others;
     others.add("void main() { o_color = vec4(max(u_x, 0.0)); }");
-    const auto said = [&](const std::string& text) { return reaches_beyond(text, others); };
+    const auto said = [&](const std::string& text) { return broken_rule(text, others); };
     EXPECT_EQ(said("#define J(a, b) a##b\nJ(uni, form) vec3 x;\n"), "has '##': write each name as a whole");
     const std::string refused = "has 'max' in a macro, without a '(' after it: that may define the function anew";
     EXPECT_EQ(said("#define J(f) float f(float a, float b) { return a; }\nJ(max)\n"), refused);
@@ -70,7 +70,7 @@ TEST(Reach, RejectsMacrosThatFormNamesOrRedefineBuiltins) {
     EXPECT_EQ(said("#define POSITIVE(x) max((x), 0.0)\nfloat f(float max) { return g(max, POSITIVE(1.0)); }\n"), "");
 }
 
-TEST(Reach, EveryStageHasTheHarnessBeforeTheTask) {
+TEST(TaskRules, EveryStageHasTheHarnessBeforeTheTask) {
     size_t stages = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(course_root() / "shaders")) {
         const std::string kind = entry.path().extension();
@@ -90,16 +90,15 @@ TEST(Reach, EveryStageHasTheHarnessBeforeTheTask) {
     EXPECT_GE(stages, 30u);
 }
 
-TEST(Reach, RejectsIncludesThatAreNotPartOfTheTask) {
+TEST(TaskRules, RejectsIncludesThatAreNotPartOfTheTask) {
     const OtherShaders others(LabEntry{5, "tangent_basis", "05_tangent_basis"},
                               load_manifest(course_root() / "labs/05_tangent_basis/lab.toml"));
-    EXPECT_EQ(reaches_beyond("#include \"common/unfinished.glsl\"\n#include \"common/perpendicular.glsl\"\n", others),
-              "");
-    EXPECT_EQ(reaches_beyond("#include \"common/perpendicular.glsl\"\n", OtherShaders()),
+    EXPECT_EQ(broken_rule("#include \"common/unfinished.glsl\"\n#include \"common/perpendicular.glsl\"\n", others), "");
+    EXPECT_EQ(broken_rule("#include \"common/perpendicular.glsl\"\n", OtherShaders()),
               "includes common/perpendicular.glsl, which is not part of this task");
 }
 
-TEST(Reach, RejectsACppTaskThatReachesForTheTextOfAFile) {
+TEST(TaskRules, RejectsACppTaskThatReachesForTheTextOfAFile) {
     const auto said = [](const std::string& line) {
         const auto fault =
             fault_of_task("#include \"task.h\"\n#include <cmath>\n" + line + "\nint after;\n", "a/task.cpp");
@@ -136,7 +135,7 @@ TEST(Reach, RejectsACppTaskThatReachesForTheTextOfAFile) {
     EXPECT_FALSE(fault_of_task("float asm_of() { return 1.0; }\n", "a/task.glsl"));
 }
 
-TEST(Reach, AcceptsEveryTaskOfTheCourse) {
+TEST(TaskRules, AcceptsEveryTaskOfTheCourse) {
     size_t files = 0;
     for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
         if (!std::filesystem::exists(lab.path() / "lab.toml")) continue;
@@ -149,7 +148,7 @@ TEST(Reach, AcceptsEveryTaskOfTheCourse) {
             else
                 EXPECT_FALSE(fault_of_task(read_file(course_root() / task.file), task.file)) << task.file;
         for (const std::string& file : shaders) {
-            EXPECT_EQ(reaches_beyond(read_file(course_root() / file), others), "") << file;
+            EXPECT_EQ(broken_rule(read_file(course_root() / file), others), "") << file;
             ++files;
         }
     }

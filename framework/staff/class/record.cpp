@@ -1,4 +1,4 @@
-#include "framework/staff/class/standing.h"
+#include "framework/staff/class/record.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ public:
 
     /// Chooses the mark of each lab among the submissions of a team. `marks` is not empty.
     void add_team(const std::string& name, const std::vector<std::string>& members,
-                  const std::vector<const SubmissionMark*>& marks, ClassStanding& result) {
+                  const std::vector<const SubmissionMark*>& marks, ClassRecord& result) {
         Team team{.members = members, .mark = marks.front(), .sources = {}, .remarks = {}};
         auto all = std::make_shared<SubmissionMark>(*marks.front());
         all->labs.clear();
@@ -90,43 +90,43 @@ public:
         for (const std::string& member : members) teams_[member] = std::make_shared<Team>(team);
     }
 
-    Standing of(const std::string& name, const SubmissionMark* mark) const {
+    StudentRecord of(const std::string& name, const SubmissionMark* mark) const {
         const std::string key = printable(name);
         const auto student = students_.find(key);
-        Standing standing{.name = name,
-                          .student = {.student = key},
-                          .on_roster = students_.empty() || student != students_.end(),
-                          .mark = mark,
-                          .labs = {},
-                          .adjustments = {}};
-        if (student != students_.end()) standing.student = *student->second;
+        StudentRecord record{.name = name,
+                             .student = {.student = key},
+                             .on_roster = students_.empty() || student != students_.end(),
+                             .mark = mark,
+                             .labs = {},
+                             .adjustments = {}};
+        if (student != students_.end()) record.student = *student->second;
         if (const Team* const team = team_of(key)) {
-            mark = standing.mark = team->mark;
-            standing.sources = team->sources;
-            standing.team_remarks = team->remarks;
+            mark = record.mark = team->mark;
+            record.sources = team->sources;
+            record.team_remarks = team->remarks;
             if (team->remarks.empty() && mark->name != name)
-                standing.team_remarks.push_back(fmt::format("the submission '{}' counts for team {}",
-                                                            printable(mark->name), printable(standing.student.team)));
+                record.team_remarks.push_back(fmt::format("the submission '{}' counts for team {}",
+                                                          printable(mark->name), printable(record.student.team)));
         }
         if (const auto adjusted = adjustments_.find(key); adjusted != adjustments_.end())
             for (const Adjustment& one : adjusted->second)
-                if (tasks_.contains(one.task)) standing.adjustments.push_back(one);
-        for (const CountedLab& lab : labs_) standing.labs.push_back(of(lab, key, mark, standing.adjustments));
-        use_bank(standing, key);
-        return standing;
+                if (tasks_.contains(one.task)) record.adjustments.push_back(one);
+        for (const CountedLab& lab : labs_) record.labs.push_back(of(lab, key, mark, record.adjustments));
+        use_bank(record, key);
+        return record;
     }
 
     /// Returns whether a lab with a due date was handed in at an unknown time.
-    static bool lacks_time(const Standing& standing) {
-        return std::any_of(standing.labs.begin(), standing.labs.end(),
-                           [](const LabStanding& lab) { return lab.handed_in && lab.due && !lab.handed_in_at; });
+    static bool lacks_time(const StudentRecord& record) {
+        return std::any_of(record.labs.begin(), record.labs.end(),
+                           [](const LabRecord& lab) { return lab.handed_in && lab.due && !lab.handed_in_at; });
     }
 
 private:
     struct Team {
         std::vector<std::string> members;
         const SubmissionMark* mark = nullptr;
-        std::map<std::string, std::string> sources;  ///< see Standing
+        std::map<std::string, std::string> sources;  ///< see StudentRecord
         std::vector<std::string> remarks;
     };
 
@@ -172,21 +172,21 @@ private:
         return {};
     }
 
-    /// Returns the standing of a student in a lab. Sets the points of each adjustment to the points that it adds.
-    LabStanding of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
-                   std::vector<Adjustment>& adjustments) const {
+    /// Returns the record of a student in a lab. Sets the points of each adjustment to the points that it adds.
+    LabRecord of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
+                 std::vector<Adjustment>& adjustments) const {
         const LabMark* const graded = mark ? mark->lab(counted.folder) : nullptr;
-        LabStanding lab{.lab = counted.folder,
-                        .handed_in = graded != nullptr,
-                        .tasks = {},
-                        .due = {},
-                        .handed_in_at = {},
-                        .extension_note = {},
-                        .kept = graded ? graded->kept : "",
-                        .last_day = {}};
+        LabRecord lab{.lab = counted.folder,
+                      .handed_in = graded != nullptr,
+                      .tasks = {},
+                      .due = {},
+                      .handed_in_at = {},
+                      .extension_note = {},
+                      .kept = graded ? graded->kept : "",
+                      .last_day = {}};
         lab.marked = !graded || graded->graded();
         for (const TaskInfo& info : counted.tasks) {
-            TaskStanding task{.id = info.id, .title = info.title, .of = info.points, .optional = info.optional};
+            TaskRecord task{.id = info.id, .title = info.title, .of = info.points, .optional = info.optional};
             if (graded && lab.marked)
                 for (const check::TaskVerdict& one : graded->tasks)
                     if (one.id == info.id) task.graded = one.points(), task.of = one.of;
@@ -204,7 +204,7 @@ private:
         return lab;
     }
 
-    void add_lateness(LabStanding& lab, const std::string& student) const {
+    void add_lateness(LabRecord& lab, const std::string& student) const {
         const AssignedLab* const assigned = policy_.lab(lab.lab);
         if (!assigned || !assigned->due) return;
         // Takes the longest of the extensions: for this lab and for all labs, and of all members of the team.
@@ -229,31 +229,31 @@ private:
 
     /// Lets the bank pay for late days, in the order of the due dates, so that a later lab changes no earlier mark. An
     /// assigned lab that this run does not count uses days if hand_ins.csv has a time of its own for it.
-    void use_bank(Standing& standing, const std::string& student) const {
-        standing.bank_days = policy_.late.bank_days;
-        if (standing.bank_days == 0) return;
+    void use_bank(StudentRecord& record, const std::string& student) const {
+        record.bank_days = policy_.late.bank_days;
+        if (record.bank_days == 0) return;
         std::vector<const AssignedLab*> by_date;
         for (const AssignedLab& lab : policy_.labs)
             if (lab.due) by_date.push_back(&lab);
         std::stable_sort(by_date.begin(), by_date.end(),
                          [](const AssignedLab* a, const AssignedLab* b) { return *a->due < *b->due; });
         for (const AssignedLab* assigned : by_date) {
-            const auto counted = std::find_if(standing.labs.begin(), standing.labs.end(),
-                                              [&](const LabStanding& lab) { return lab.lab == assigned->folder; });
-            LabStanding elsewhere{.lab = assigned->folder,
-                                  .handed_in = hand_ins_.contains({student, assigned->folder}),
-                                  .tasks = {},
-                                  .due = {},
-                                  .handed_in_at = {},
-                                  .extension_note = {},
-                                  .kept = {},
-                                  .last_day = {}};
-            if (counted == standing.labs.end()) add_lateness(elsewhere, student);
-            LabStanding& lab = counted == standing.labs.end() ? elsewhere : *counted;
+            const auto counted = std::find_if(record.labs.begin(), record.labs.end(),
+                                              [&](const LabRecord& lab) { return lab.lab == assigned->folder; });
+            LabRecord elsewhere{.lab = assigned->folder,
+                                .handed_in = hand_ins_.contains({student, assigned->folder}),
+                                .tasks = {},
+                                .due = {},
+                                .handed_in_at = {},
+                                .extension_note = {},
+                                .kept = {},
+                                .last_day = {}};
+            if (counted == record.labs.end()) add_lateness(elsewhere, student);
+            LabRecord& lab = counted == record.labs.end() ? elsewhere : *counted;
             lab.bank_days =
-                std::min({lab.days_late, policy_.late.bank_days_per_lab, standing.bank_days - standing.bank_used});
+                std::min({lab.days_late, policy_.late.bank_days_per_lab, record.bank_days - record.bank_used});
             lab.late_share = late_share(lab.days_late - lab.bank_days, policy_.late);
-            standing.bank_used += lab.bank_days;
+            record.bank_used += lab.bank_days;
         }
     }
 
@@ -286,49 +286,49 @@ double sum_of(const std::vector<One>& all, Part part) {
 
 }  // namespace
 
-int LabStanding::of() const {
+int LabRecord::of() const {
     int sum = 0;
-    for (const TaskStanding& task : tasks) sum += task.optional ? 0 : task.of;
+    for (const TaskRecord& task : tasks) sum += task.optional ? 0 : task.of;
     return sum;
 }
-double LabStanding::graded() const { return std::min(sum_of(tasks, &TaskStanding::graded), double(of())); }
-double LabStanding::adjusted() const { return std::min(sum_of(tasks, &TaskStanding::adjusted), double(of())); }
+double LabRecord::graded() const { return std::min(sum_of(tasks, &TaskRecord::graded), double(of())); }
+double LabRecord::adjusted() const { return std::min(sum_of(tasks, &TaskRecord::adjusted), double(of())); }
 
-int Standing::of() const { return int(sum_of(labs, &LabStanding::of)); }
-double Standing::graded() const { return sum_of(labs, &LabStanding::graded); }
-double Standing::adjusted() const { return sum_of(labs, &LabStanding::adjusted); }
-double Standing::points() const { return sum_of(labs, &LabStanding::points); }
-bool Standing::is_of(const std::string& submission) const {
+int StudentRecord::of() const { return int(sum_of(labs, &LabRecord::of)); }
+double StudentRecord::graded() const { return sum_of(labs, &LabRecord::graded); }
+double StudentRecord::adjusted() const { return sum_of(labs, &LabRecord::adjusted); }
+double StudentRecord::points() const { return sum_of(labs, &LabRecord::points); }
+bool StudentRecord::is_of(const std::string& submission) const {
     return mark && mark->name == submission &&
            std::all_of(sources.begin(), sources.end(), [&](const auto& one) { return one.second == submission; });
 }
-bool Standing::is_marked() const {
+bool StudentRecord::is_marked() const {
     return !is_waiting && (!mark || mark->graded()) &&
-           std::all_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.marked; });
+           std::all_of(labs.begin(), labs.end(), [](const LabRecord& lab) { return lab.marked; });
 }
-bool Standing::is_changed() const {
+bool StudentRecord::is_changed() const {
     return !adjustments.empty() ||
-           std::any_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.days_late > lab.bank_days; });
+           std::any_of(labs.begin(), labs.end(), [](const LabRecord& lab) { return lab.days_late > lab.bank_days; });
 }
-const LabStanding* Standing::lab(const std::string& folder) const {
-    for (const LabStanding& one : labs)
+const LabRecord* StudentRecord::lab(const std::string& folder) const {
+    for (const LabRecord& one : labs)
         if (one.lab == folder) return &one;
     return nullptr;
 }
 
-std::string Standing::state() const {
+std::string StudentRecord::state() const {
     if (!mark) return is_waiting ? "not graded yet" : "nothing handed in";
     if (!is_marked()) return "not graded: the machine failed";
     return mark->problem.empty() ? "graded" : mark->problem;
 }
 
-std::vector<std::string> Standing::remarks(const std::string& lab) const {
+std::vector<std::string> StudentRecord::remarks(const std::string& lab) const {
     std::vector<std::string> remarks;
-    for (const LabStanding& one : labs) {
+    for (const LabRecord& one : labs) {
         if (!lab.empty() && one.lab != lab) continue;
         for (const Adjustment& adjustment : adjustments)
             if (std::any_of(one.tasks.begin(), one.tasks.end(),
-                            [&](const TaskStanding& task) { return task.id == adjustment.task; }))
+                            [&](const TaskRecord& task) { return task.id == adjustment.task; }))
                 remarks.push_back(fmt::format("{}: {}{}: {}", adjustment.task, adjustment.points > 0 ? "+" : "",
                                               amount_of(adjustment.points, "point"), printable(adjustment.note, 1000)));
         if (one.days_late > 0) remarks.push_back(fmt::format("lab {}: {}", lab_number(one.lab), lateness_text(one)));
@@ -346,7 +346,7 @@ std::vector<std::string> Standing::remarks(const std::string& lab) const {
     return remarks;
 }
 
-std::string lateness_text(const LabStanding& lab) {
+std::string lateness_text(const LabRecord& lab) {
     std::string text = amount_of(lab.days_late, "day") + " late";
     if (lab.bank_days > 0)
         text += lab.bank_days == lab.days_late ? ", which cost nothing"
@@ -355,9 +355,9 @@ std::string lateness_text(const LabStanding& lab) {
     return text;
 }
 
-ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
-                             const std::vector<std::string>& only, const std::set<std::string>& handed_in) {
-    ClassStanding result{.policy = std::move(policy), .students = {}, .notes = {}};
+ClassRecord class_record(const std::vector<SubmissionMark>& marks, ClassFile policy,
+                         const std::vector<std::string>& only, const std::set<std::string>& handed_in) {
+    ClassRecord result{.policy = std::move(policy), .students = {}, .notes = {}};
     std::vector<CountedLab> labs = counted_labs(marks, result.policy, only);
     std::set<std::string> names, tasks;
     for (const CountedLab& lab : labs)
@@ -382,25 +382,25 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     std::vector<std::string> strangers, without_time, absent, beyond;
     for (const SubmissionMark& mark : marks) {
         if (teams.contains(printable(mark.name))) continue;  // it has no student of its own
-        const Standing& standing = result.students.emplace_back(all.of(mark.name, &mark));
-        if (!standing.on_roster) strangers.push_back(standing.student.student);
-        if (ClassOf::lacks_time(standing)) without_time.push_back(standing.student.student);
-        if (std::any_of(standing.labs.begin(), standing.labs.end(), [](const auto& lab) { return !lab.kept.empty(); }))
-            beyond.push_back(standing.student.student);
+        const StudentRecord& record = result.students.emplace_back(all.of(mark.name, &mark));
+        if (!record.on_roster) strangers.push_back(record.student.student);
+        if (ClassOf::lacks_time(record)) without_time.push_back(record.student.student);
+        if (std::any_of(record.labs.begin(), record.labs.end(), [](const auto& lab) { return !lab.kept.empty(); }))
+            beyond.push_back(record.student.student);
     }
     for (const Student& student : result.policy.students)
         if (!names.contains(student.student)) {
-            Standing& standing = result.students.emplace_back(all.of(student.student, nullptr));
-            if (standing.mark) continue;  // of the team
+            StudentRecord& record = result.students.emplace_back(all.of(student.student, nullptr));
+            if (record.mark) continue;  // of the team
             std::vector<std::string> own{student.student};
             if (const auto team = teams.find(student.team); team != teams.end()) {
                 own = team->second;
                 own.push_back(team->first);
             }
-            standing.is_waiting =
+            record.is_waiting =
                 std::any_of(own.begin(), own.end(), [&](const std::string& one) { return handed_in.contains(one); });
-            for (LabStanding& lab : standing.labs) lab.marked = !standing.is_waiting;
-            if (!standing.is_waiting) absent.push_back(student.student);
+            for (LabRecord& lab : record.labs) lab.marked = !record.is_waiting;
+            if (!record.is_waiting) absent.push_back(student.student);
         }
     std::vector<std::string> nobody;
     if (result.policy.students.empty())  // with a roster, extensions were checked when the class file was read
@@ -417,18 +417,18 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     return result;
 }
 
-std::string hand_ins_text(const LabStanding& lab) {
+std::string hand_ins_text(const LabRecord& lab) {
     const std::string all = amount_of(lab.hand_ins, "hand-in") + " graded";
     return lab.hand_ins == lab.on_last_day ? fmt::format("{}, on {}", all, lab.last_day)
                                            : fmt::format("{}, {} of them on {}", all, lab.on_last_day, lab.last_day);
 }
 
-void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder) {
-    if (standing.policy.hand_ins_per_day == 0) return;
-    const UtcOffset offset = standing.policy.utc_offset;
-    for (Standing& one : standing.students) {
+void add_hand_ins(ClassRecord& record, const std::filesystem::path& folder) {
+    if (record.policy.hand_ins_per_day == 0) return;
+    const UtcOffset offset = record.policy.utc_offset;
+    for (StudentRecord& one : record.students) {
         const std::vector<GradedHandIn> log = read_hand_in_log(folder, one.name);
-        for (LabStanding& lab : one.labs) {
+        for (LabRecord& lab : one.labs) {
             const GradedHandIn* const last = last_hand_in(log, lab.lab);
             if (!last) continue;
             lab.hand_ins =
@@ -439,7 +439,7 @@ void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder) 
     }
 }
 
-Standing standing_of(const SubmissionMark& mark) {
+StudentRecord record_of(const SubmissionMark& mark) {
     const ClassFile none;
     return ClassOf(none, counted_labs({mark}, none, {})).of(mark.name, &mark);
 }

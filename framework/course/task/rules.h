@@ -40,7 +40,7 @@ private:
 /// other files may hold answers. It may define macros, but not with a name that the others use. It may not redefine a
 /// built-in function that the others call, and may not join words (##). It may not use a word that distinguishes the
 /// lab's programs, and may not declare uniforms, inputs or outputs.
-std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
+std::string broken_rule(const std::string& task_file, const OtherShaders& others);
 
 /// Returns the first fault_of_source() of a task file, or the first place where a C++ task reaches for the text of a
 /// file: `asm`, `.incbin`, `#embed`, `__FILE__`, an #include of anything but a header's name, and spellings that hide

@@ -1,4 +1,4 @@
-// The standing of a student: the grader's verdict, adjustments by people, the penalty for lateness, and missing labs.
+// The record of a student: the grader's verdict, adjustments by people, the penalty for lateness, and missing labs.
 // It is derived from the results and the class file; results never change.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace relief::grade {
 
-struct TaskStanding {
+struct TaskRecord {
     std::string id, title;
     int of = 0;
     bool optional = false;  ///< not part of the lab's maximum
@@ -21,11 +21,11 @@ struct TaskStanding {
     double adjusted = 0;    ///< including adjustments, in [0, `of`]
 };
 
-struct LabStanding {
+struct LabRecord {
     std::string lab;  ///< folder
     bool handed_in = false;
     bool marked = true;  ///< false: the grader's machine failed, so there are no points yet
-    std::vector<TaskStanding> tasks;
+    std::vector<TaskRecord> tasks;
     std::optional<Moment> due, handed_in_at;  ///< `due` includes the extension
     int extension_days = 0;
     std::string extension_note;  ///< for instructors
@@ -43,7 +43,7 @@ struct LabStanding {
     double points() const { return adjusted() * late_share; }
 };
 
-struct Standing {
+struct StudentRecord {
     std::string name;                      ///< of the submission; from the roster if nothing was handed in
     Student student;                       ///< from the roster; if not on it, only `student` is set
     bool on_roster = true;                 ///< also true without a roster
@@ -52,7 +52,7 @@ struct Standing {
     std::map<std::string, std::string> sources = {};  ///< of a team: the submission whose mark counts, by lab
     std::vector<std::string> team_remarks = {};       ///< which of a team's submissions counts, and why
     bool is_waiting = false;                          ///< handed in, but not graded yet
-    std::vector<LabStanding> labs;                    ///< the labs that count, the same for all students
+    std::vector<LabRecord> labs;                      ///< the labs that count, the same for all students
     std::vector<Adjustment> adjustments;
     int bank_days = 0, bank_used = 0;  ///< free late days of the term; how many of them are used
 
@@ -63,7 +63,7 @@ struct Standing {
     bool is_marked() const;  ///< whether every lab is
     /// Returns whether adjustments or lateness have changed the points.
     bool is_changed() const;
-    const LabStanding* lab(const std::string& folder) const;
+    const LabRecord* lab(const std::string& folder) const;
     /// Returns "graded", "nothing handed in", "not graded yet", "not graded: the machine failed", or the submission's
     /// problem.
     std::string state() const;
@@ -72,38 +72,37 @@ struct Standing {
     std::vector<std::string> remarks(const std::string& lab = {}) const;
 };
 
-struct ClassStanding {
+struct ClassRecord {
     ClassFile policy;
     /// In the order of the submissions, then students of the roster without one. A team's own submission is none.
-    std::vector<Standing> students;
+    std::vector<StudentRecord> students;
     std::vector<std::shared_ptr<const SubmissionMark>> team_marks = {};  ///< of teams with several submissions
     std::vector<std::string> notes;                                      ///< remarks for the instructor, one per line
 };
 
-/// Computes the standing of each student. One submission of any member of a team, or of the team's name, counts for all
+/// Computes the record of each student. One submission of any member of a team, or of the team's name, counts for all
 /// members. If several have a lab, the one that was handed in last counts; without all times, the one with most points.
 /// The longest extension of a member counts, too. Late days of the term and adjustments remain each member's own.
 /// `only`: the labs that the grader was asked for; empty: all. `handed_in`: the names of all submissions as printable()
 /// shows them; a submission without a mark is not graded yet. Without assigned labs, the labs of any submission count.
 /// The marks must outlive the result. Throws Error for an adjustment of an unknown student or task, and if none of
 /// `only` is assigned.
-ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
-                             const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
-ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, ClassFile policy,
-                             const std::vector<std::string>& only,
-                             const std::set<std::string>& handed_in = {}) = delete;
+ClassRecord class_record(const std::vector<SubmissionMark>& marks, ClassFile policy,
+                         const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
+ClassRecord class_record(const std::vector<SubmissionMark>&& temporary, ClassFile policy,
+                         const std::vector<std::string>& only, const std::set<std::string>& handed_in = {}) = delete;
 
 /// Returns "3 days late, of which 2 cost nothing, 10 % less".
-std::string lateness_text(const LabStanding& lab);
+std::string lateness_text(const LabRecord& lab);
 
 /// Returns "5 hand-ins graded, 2 of them on 2027-03-01".
-std::string hand_ins_text(const LabStanding& lab);
+std::string hand_ins_text(const LabRecord& lab);
 
 /// Reads the number of graded hand-ins of each lab from the logs in the folder of results.
-void add_hand_ins(ClassStanding& standing, const std::filesystem::path& folder);
+void add_hand_ins(ClassRecord& record, const std::filesystem::path& folder);
 
-/// Returns the standing of a submission alone, without the class.
-Standing standing_of(const SubmissionMark& mark);
+/// Returns the record of a submission alone, without the class.
+StudentRecord record_of(const SubmissionMark& mark);
 
 /// Returns the number of started days from `due` to `handed_in`; 0 during the first `grace_hours` hours.
 int days_late(Moment due, Moment handed_in, double grace_hours);

@@ -21,7 +21,7 @@ struct Sample {
 using Samples = std::map<size_t, Sample>;
 
 /// The result of a comparison. Results of several checks can be added up.
-struct Likeness {
+struct Agreement {
     /// Number of different values below which agreement may be chance: many programs draw yes and no in the same
     /// places.
     static constexpr size_t certain_kinds = 4;
@@ -34,7 +34,7 @@ struct Likeness {
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
     bool is_certain() const { return kinds.size() >= certain_kinds; }
     void add_kind(float value, double tolerance);
-    void add(const Likeness& other);
+    void add(const Agreement& other);
 };
 
 /// How exactly a drawing that shows a mistake repeats the mistake's own, see tolerance_of().
@@ -54,7 +54,7 @@ inline constexpr Exactness other_renderer{
 
 /// Returns whether a check's picture matches the mistake's. If neither picture differs from the solution's, they match
 /// only if the check passed.
-bool is_like(const Likeness& one, bool passed, const Exactness& exactness = {});
+bool is_like(const Agreement& one, bool passed, const Exactness& exactness = {});
 
 /// Returns a known mistake's hint for a message. If few values agree, or after a single failed check, the hint is only
 /// a possibility, because other mistakes may draw the same there. So are the hints of mistakes that all draw the same.
@@ -70,7 +70,7 @@ double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe
 /// infinities.
 bool is_near(float a, float b, double tolerance);
 
-Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
-                  const Exactness& exactness = {});
+Agreement agreement(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe,
+                    const Exactness& exactness = {});
 
 }  // namespace relief::check

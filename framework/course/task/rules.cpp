@@ -1,4 +1,4 @@
-#include "framework/course/task/reach.h"
+#include "framework/course/task/rules.h"
 
 #include <fmt/format.h>
 
@@ -192,7 +192,7 @@ void OtherShaders::add(const std::string& text) {
     macros_.merge(found.macros);
 }
 
-std::string reaches_beyond(const std::string& task_file, const OtherShaders& others) {
+std::string broken_rule(const std::string& task_file, const OtherShaders& others) {
     for (const std::string& name : included_by(task_file))
         if (!others.lend(name)) return fmt::format("includes {}, which is not part of this task", name);
     const Found found = Look(task_file).take();
