@@ -148,11 +148,11 @@ private:
             }
             for (std::string& line : more) lines.push_back({std::move(line), notes[i], height});
         }
-        const float below = foot_;
+        const float lower_edge = foot_;
         foot_ -= step * float(lines.size()) + 0.5f * step;
         float widest = 0;
         for (const Line& line : lines) widest = std::max(widest, width(line.text, height));
-        add(PlacedWord::Kind::ground, {0, foot_}, {std::min(size_.x, widest + 2 * height), below - foot_}, plate,
+        add(PlacedWord::Kind::ground, {0, foot_}, {std::min(size_.x, widest + 2 * height), lower_edge - foot_}, plate,
             notes.front());
         float top = foot_ + 0.4f * step;
         for (const Line& line : lines) add_line(line.text, {height, top}, height, line.of, false), top += step;
