@@ -115,7 +115,7 @@ TEST(Switches, AreEachSetByTheLabOrTheFramework) {
 
 TEST(Switches, AreEachReadByAShader) {
     // Words in capitals that are shown or stored, and define nothing.
-    const Names others = {"BC1", "BC5"};
+    const Names others = {"BC1", "BC5", "BRDF", "PCF"};
     static const std::regex form("([A-Z][A-Z0-9_]*[A-Z0-9])( [A-Za-z0-9_.-]+)?");
     const Names read = read_shaders().read;
     int count = 0;

@@ -79,7 +79,7 @@ std::string percent(const PicturePair& pair, double share) {
 }
 
 /// A hypothesis that explains the difference at the pixels that differ.
-struct Explanation {
+struct Explained {
     const Hypothesis* hypothesis;
     double left;              ///< sum of the errors that remain
     double share;             ///< of all pixels: those that it explains, or where it agrees that there is no difference
@@ -97,11 +97,11 @@ double spread_of_drawn(const PicturePair& pair) {
     return spread;
 }
 
-std::optional<Explanation> explanation(const PicturePair& pair, const Hypothesis& one) {
+std::optional<Explained> explanation(const PicturePair& pair, const Hypothesis& one) {
     const PixelPairs& differing = pair.differing();
     const auto most_failures = size_t((1 - explained_share) * double(differing.size()));
     size_t failures = 0;
-    Explanation found{&one, 0, 0, {}};
+    Explained found{&one, 0, 0, {}};
     for (const PixelPair& sample : differing) {
         const auto value = predicted(pair, one, sample);
         if (!pair.explains(value, sample, one.most_left) && ++failures > most_failures) return {};
@@ -117,19 +117,19 @@ std::optional<Explanation> explanation(const PicturePair& pair, const Hypothesis
     return found;
 }
 
-bool holds_everywhere(const PicturePair& pair, const Explanation& one) {
+bool holds_everywhere(const PicturePair& pair, const Explained& one) {
     const auto contradicted = double(one.contradicted.size());
     return contradicted <= 0.02 * double(pair.count()) && contradicted <= 0.25 * double(pair.differing().size());
 }
 
 /// Returns the simplest of the explanations for which `holds` is true and that leave nearly as little as the best.
-const Explanation* simplest(const PicturePair& pair, const std::vector<Explanation>& all,
-                            const std::function<bool(const Explanation&)>& holds) {
-    std::vector<const Explanation*> some;
+const Explained* simplest(const PicturePair& pair, const std::vector<Explained>& all,
+                          const std::function<bool(const Explained&)>& holds) {
+    std::vector<const Explained*> some;
     double least = INFINITY;
-    for (const Explanation& one : all)
+    for (const Explained& one : all)
         if (holds(one)) some.push_back(&one), least = std::min(least, one.left);
-    for (const Explanation* one : some)
+    for (const Explained* one : some)
         if (one->left <= 20 * least + pair.noise() * double(pair.count())) return one;
     return nullptr;
 }
@@ -173,13 +173,13 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
     const PicturePair pair(drawn, expected, quantity, is_unrolled);
     if (pair.differing().size() < least_differing) return {};
     const std::vector<Hypothesis> all = hypotheses(pair);
-    std::vector<Explanation> explanations;
+    std::vector<Explained> explanations;
     for (const Hypothesis& one : all)
         if (auto found = explanation(pair, one)) explanations.push_back(std::move(*found));
-    const auto told = [&](std::string sentence, const Explanation& one) {
+    const auto told = [&](std::string sentence, const Explained& one) {
         return Relation{std::move(sentence), predicted(pair, *one.hypothesis, expected)};
     };
-    const auto part_of = [&](const Explanation& one) { return part_with(pair, pair.differing(), one.contradicted); };
+    const auto part_of = [&](const Explained& one) { return part_with(pair, pair.differing(), one.contradicted); };
     if (const auto* one = simplest(pair, explanations, [&](auto& each) { return holds_everywhere(pair, each); }))
         return told(fmt::format("yours is {}{}", one->hypothesis->words,
                                 one->share < 0.9995 ? ", on " + percent(pair, one->share) : ""),

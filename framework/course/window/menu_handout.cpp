@@ -82,7 +82,7 @@ void Handout::open(const LabEntry& lab) { open(std::filesystem::path("labs") / l
 
 void Handout::open(const std::filesystem::path& document, const std::string& passage) {
     close();
-    passage_ = passage, seek_ = !passage.empty();
+    passage_ = passage, seeks_ = passage.empty() ? 0 : 2;
     open_ = to_top_ = true;
     try {
         sources_ = pages::load_sources();
@@ -234,7 +234,7 @@ void Handout::draw_block(const pages::Block& block, float width) {
 
 void Handout::mark(const pages::Spans& passage, ImVec2 top, float width, float height) {
     if (passage_.empty() || pages::plain_text(passage) != passage_) return;
-    if (std::exchange(seek_, false)) ImGui::SetScrollFromPosY(top.y - ImGui::GetWindowPos().y, 0.2f);
+    if (seeks_ > 0) --seeks_, ImGui::SetScrollFromPosY(top.y - ImGui::GetWindowPos().y, 0.2f);
     ImGui::GetWindowDrawList()->AddRectFilled({top.x - 6, top.y - 2}, {top.x + width, top.y + height},
                                               IM_COL32(230, 138, 92, 70), 4);
 }

@@ -52,7 +52,7 @@ private:
     std::filesystem::path file_;
     std::string text_, problem_;
     std::string passage_;  ///< to mark; empty for none
-    bool seek_ = false;    ///< scroll to it
+    int seeks_ = 0;        ///< frames that scroll to it: the first one does not know the document's height
     std::vector<pages::Source> sources_;
     std::vector<pages::Block> blocks_;
     std::map<const pages::Block*, std::vector<std::vector<pages::FormulaCell>>> formulas_;  ///< of formula blocks

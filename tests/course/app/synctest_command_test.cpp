@@ -28,7 +28,7 @@ TEST_F(SynctestCommand, WritesAFolderWhoseExpectedPictureIsFlat) {
     EXPECT_EQ(said["frame"], "as interpolated");
     EXPECT_TRUE(said["in_sync"] && said["flat"]);
     EXPECT_NEAR(said["degrees"]["mean"].get<double>(), 0.318, 0.001);
-    EXPECT_GT(said["agreements"].size(), 10u);
+    EXPECT_GT(said["likenesses"].size(), 10u);
 }
 
 TEST_F(SynctestCommand, NamesTheFramesOfLab07) {

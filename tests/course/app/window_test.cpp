@@ -233,6 +233,13 @@ protected:
         return saved(name());
     }
     void press(const char* key) const { EXPECT_EQ(run({"xdotool", "key", key}, where_).code, 0); }
+    /// Holds a key as long as a hand does. Dear ImGui misses one that is down and up again between two frames.
+    void hold(const char* key) const {
+        EXPECT_EQ(run({"xdotool", "keydown", key}, where_).code, 0);
+        std::this_thread::sleep_for(120ms);
+        EXPECT_EQ(run({"xdotool", "keyup", key}, where_).code, 0);
+        std::this_thread::sleep_for(120ms);
+    }
     /// Presses a key and waits for a frame of that lab.
     void press_for(const char* key, const std::string& lab) {
         const size_t before = frames().size();
@@ -773,12 +780,9 @@ TEST_F(Window, KeysReachTheKnobsAfterF6AndAreTheLabsAgainAfterEscape) {
     const size_t still = frames().size();
     press("F6");
     EXPECT_TRUE(eventually([&] { return count("keys: panel") == 1; })) << window_->err();
-    // Down to the next item; space takes it, and an arrow changes it if it is a slider. A second space lets go of it.
-    for (int i = 0; i < 9 && frames().size() == still; ++i)
-        for (const char* key : {"Down", "space", "Right", "space"}) {
-            press(key);
-            std::this_thread::sleep_for(200ms);
-        }
+    // Past the names of the pages to the first knob, a slider. Space takes it, an arrow changes it, and a second space
+    // lets go of it.
+    for (const char* key : {"Down", "Down", "space", "Right", "space"}) hold(key);
     EXPECT_TRUE(eventually([&] { return frames().size() > still; })) << window_->err();
     EXPECT_EQ(frames().back().lab, "20_test_wall") << "the arrows open no other lab";
     press("Escape");

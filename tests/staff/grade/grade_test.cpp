@@ -1101,7 +1101,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     const Result second = run(grade({"--resume", "-o", output.string()}));
     EXPECT_EQ(second.code, 0) << second.err;
     EXPECT_TRUE(contains(second.out, "3.6/16  adjusted by -1  late: 0.4 less")) << second.out;
-    EXPECT_TRUE(contains(second.out, "2/16  nothing handed in  adjusted by 2")) << second.out;
+    EXPECT_TRUE(contains(second.out, "2/16    nothing handed in  adjusted by 2")) << second.out;
     for (const char* kind : {"students", "submissions"}) {
         const std::string page = read_file(output / kind / "jane.html");
         for (const char* part : {"3.6 of 16 points", "see, me", "5 by the checks", "4 with adjustments",
