@@ -379,14 +379,15 @@ EMSCRIPTEN_KEEPALIVE const char* relief_picture(int index, int which) {
     });
 }
 
-/// Draws a shot as a check does: `request` as for relief_draw(), with `probe` and `set`, a list of knobs and values.
-/// Returns the address of its floats, for tests.
+/// Draws a shot as a check does: `request` as for relief_draw(), with `probe`, `studio`, and `set`, a list of knobs and
+/// values. Returns the address of its floats, for tests.
 EMSCRIPTEN_KEEPALIVE const char* relief_shot(const char* request) {
     return answer([&]() -> json {
         static Image image;
         const json from = json::parse(request);
         Shot shot = shot_of(from);
         shot.set = from.value("set", shot.set);
+        shot.studio = from.value("studio", false);
         image = draw_shot(*make_lab(lab().entry, shot), shot);
         return {{"address", reinterpret_cast<uintptr_t>(image.values.data())},
                 {"width", image.width},

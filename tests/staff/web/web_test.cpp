@@ -234,8 +234,9 @@ TEST_F(Web, EachLabDrawsAsOutsideOfABrowserAndAcceptsItsSolution) {
         ASSERT_EQ(run({relief_program(), "shot", lab.two_digits(), "--size", "160x120", "-o", file.string()}).code, 0);
         const Image native = read_image(file);
         browser_->eval(R"js(window.seen = null;
-            call("shot", JSON.stringify({width: 160, height: 120, camera: home})).then(shot => { window.seen = [...new
-            Float32Array(relief.HEAPF32.buffer, shot.address, shot.width * shot.height * shot.channels)]; });)js");
+            call("shot", JSON.stringify({width: 160, height: 120, camera: home, studio: true})).then(shot => {
+            window.seen = [...new Float32Array(relief.HEAPF32.buffer, shot.address,
+            shot.width * shot.height * shot.channels)]; });)js");
         const json seen = browser_->wait_for("window.seen");
         ASSERT_EQ(seen.size(), native.values.size());
         int differing = 0;
