@@ -23,9 +23,6 @@ std::string names_of(const TaskIds& tasks) {
     return fmt::format("{} and {}", fmt::join(tasks.begin(), tasks.end() - 1, ", "), tasks.back());
 }
 
-/// Returns points as sentences name them, with at most two decimals.
-std::string hundredths(double points) { return points_text(std::round(points * 100) / 100); }
-
 }  // namespace
 
 const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
@@ -66,8 +63,8 @@ double points_of(const TaskVerdict& task, Outcome outcome) {
 
 /// Returns "4.25 of 5 points", or the range of points that are still possible.
 std::string range_text(double least, double waiting, int of, const char* kind = "") {
-    const std::string most = waiting > 0 ? " to " + hundredths(least + waiting) : "";
-    return fmt::format("{}{} of {} {}points", hundredths(least), most, of, kind);
+    const std::string most = waiting > 0 ? " to " + points_text(least + waiting) : "";
+    return fmt::format("{}{} of {} {}points", points_text(least), most, of, kind);
 }
 
 }  // namespace
@@ -105,7 +102,7 @@ std::string points_text(const TaskVerdict& task) {
     const double waiting = task.waiting_points();
     const std::string range = range_text(task.points(), waiting, task.of, task.optional ? "optional " : "");
     if (others.empty()) return range;
-    const std::string points = hundredths(points_of(task, Outcome::waiting));
+    const std::string points = points_text(points_of(task, Outcome::waiting));
     return fmt::format("{}: {} {} for {}", range, points, points == "1" ? "waits" : "wait",
                        names_of({others.begin(), others.end()}));
 }
@@ -156,6 +153,6 @@ std::string waits_text(const TaskIds& tasks, const char* state) {
                        tasks.size() > 1 ? "are" : "is", state);
 }
 
-std::string points_text(double points) { return rounded(points, 4); }
+std::string points_text(double points) { return plain(std::round(points * 100) / 100); }
 
 }  // namespace relief::check

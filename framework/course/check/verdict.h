@@ -95,7 +95,7 @@ struct PointSum {
 /// Returns the sum of the tasks that are optional, or of those that are not.
 PointSum sum_of(const std::vector<TaskVerdict>& tasks, bool optional = false);
 
-/// "2", "1.5"
+/// Returns points with at most two decimals: "2", "1.33".
 std::string points_text(double points);
 
 /// "2.25 of 3 points". A range if checks wait for other tasks: "1.5 to 3 of 3 points: 1.5 wait for 1.2"; or if they

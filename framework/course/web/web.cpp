@@ -105,8 +105,12 @@ public:
 
 private:
     json& add(const char* name, const char* kind, const KnobHelp& help) {
-        all.push_back(
-            {{"name", name}, {"kind", kind}, {"help", help.sentence()}, {"unit", help.unit}, {"group", heading_}});
+        all.push_back({{"name", name},
+                       {"title", help.title_of(name)},
+                       {"kind", kind},
+                       {"help", help.sentence()},
+                       {"unit", help.unit_after_number()},
+                       {"group", heading_}});
         heading_.clear();
         return all.back();
     }

@@ -64,6 +64,22 @@ void load_fonts(float scale) {
         }
 }
 
+/// Breaks lines at blanks, so that they are at most so wide. Dear ImGui also breaks after punctuation: "0." and "26". It
+/// still breaks a word that is too wide.
+std::string broken_at_blanks(std::string lines, float width) {
+    size_t start = 0, blank = 0;
+    for (size_t at = 0; at <= lines.size(); ++at) {
+        if (at < lines.size() && lines[at] != ' ' && lines[at] != '\n') continue;
+        if (blank > start && ImGui::CalcTextSize(lines.data() + start, lines.data() + at).x > width) {
+            lines[blank] = '\n';
+            start = blank + 1;
+        }
+        blank = at;
+        if (at < lines.size() && lines[at] == '\n') start = at + 1;
+    }
+    return lines;
+}
+
 }  // namespace
 
 void style_menu(float scale) {
@@ -106,7 +122,7 @@ void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.da
 
 void wrapped(const std::string& line) {
     ImGui::PushTextWrapPos(0);
-    text(line);
+    text(broken_at_blanks(line, ImGui::GetContentRegionAvail().x));
     ImGui::PopTextWrapPos();
 }
 
@@ -122,8 +138,9 @@ void tooltip(const std::string& line) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // opaque over a disabled widget, too
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
-    text(line);
+    const float width = ImGui::GetFontSize() * 28;
+    ImGui::PushTextWrapPos(width);
+    text(broken_at_blanks(line, width));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();

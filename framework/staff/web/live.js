@@ -349,7 +349,7 @@ const opener_of = knob => {
   input.onchange = async () => { await open_own(knob, [...input.files]); input.value = ""; };
   const button = make("button", {type: "button", textContent: "Open …", title: `open ${knob.takes} of your own: it stays in this browser`,
                                  onclick: () => input.click()});
-  button.setAttribute("aria-label", `Open ${knob.takes} for ${knob.name.replaceAll("_", " ")}`);
+  button.setAttribute("aria-label", `Open ${knob.takes} for ${knob.title}`);
   return make("span", {}, button, input);
 };
 const show_choices = (control, names) => {
@@ -364,8 +364,7 @@ const show_knobs = () => {
     control.closest(".knobs").querySelector(`label[for="knob-${knob.name}"]`).classList.toggle("ignored", knob.ignored);
     if (knob.kind === "toggle") control.checked = knob.value === "on";
     else control.value = knob.value;
-    const unit = knob.unit.startsWith("degree") ? "°" : knob.unit ? " " + knob.unit : "";
-    if (told) told.textContent = knob.kind === "slider" || knob.kind === "steps" ? knob.value + unit : "";
+    if (told) told.textContent = knob.kind === "slider" || knob.kind === "steps" ? knob.value + knob.unit : "";
   }
 };
 const set_knob = async (name, value) => {
@@ -379,7 +378,7 @@ const set_knob = async (name, value) => {
 };
 const make_knobs = () => {
   for (const knob of lab.knobs) {
-    const id = "knob-" + knob.name;
+    const id = "knob-" + knob.name, tip = `${knob.help} Its name for --set: ${knob.name}`;
     if (knob.group) $("knobs").append(make("h2", {textContent: knob.group}));
     let control;
     if (knob.kind === "choice") {
@@ -390,7 +389,7 @@ const make_knobs = () => {
       control = make("input", {type: "range", min: knob.low, max: knob.high});
       control.step = knob.kind === "steps" ? 1 : "any";
     }
-    Object.assign(control, {id, name: id, title: knob.help, autocomplete: "off"});
+    Object.assign(control, {id, name: id, title: tip, autocomplete: "off"});
     control.addEventListener("input", async () => {
       const value = knob.kind === "toggle" ? (control.checked ? "on" : "off")
                   : knob.kind === "slider" ? Number(Number(control.value).toPrecision(4))
@@ -398,7 +397,7 @@ const make_knobs = () => {
       await set_knob(knob.name, value);
       remember();
     });
-    $("knobs").append(make("label", {htmlFor: id, textContent: knob.name.replaceAll("_", " "), title: knob.help}),
+    $("knobs").append(make("label", {htmlFor: id, textContent: knob.title, title: tip}),
                       control, knob.takes ? opener_of(knob) : make("span", {id: "told-" + knob.name}));
   }
   $("knobs").addEventListener("submit", event => event.preventDefault());
