@@ -93,6 +93,7 @@ public:
         for (const std::string& file : copied_) copy(site_.course / file, fs::path("course") / file);
         for (const char* name : {"relief.js", "relief.wasm"}) copy(site_.module / name, name);
         copy(site_.editor, "editor.js");
+        copy(course_root() / "framework/staff/web/icon.svg", "icon.svg");
         copy(course_root() / "framework/staff/web/compiled_task.js", "compiled_task.js");
         if (!site_.compiler.empty()) {
             copy(course_root() / "framework/staff/web/compiler.js", "compiler.js");
