@@ -27,16 +27,17 @@ show() { # command
 # Turns lines into an SVG in which they appear one after the other. All of them stand there without animations.
 as_svg() {
   perl -e '
-    my ($columns, $letter, $step, $edge) = (100, 8, 19, 16);
+    my ($columns, $letter, $step, $edge) = (122, 8, 19, 16);
     my @lines;
     while (my $line = <STDIN>) {
       chomp $line;
       my $room = $columns;  # colours take none
+      my ($indent) = $line =~ /^( *)/;
       $room += length $1 while $line =~ /(\e\[[0-9;]*m)/g;
       for (; length $line > $room; $room = $columns) {
         my $end = rindex $line, " ", $room;
         push @lines, substr $line, 0, $end;
-        $line = substr $line, $end + 1;
+        $line = $indent . substr $line, $end + 1;
       }
       push @lines, $line;
     }
@@ -121,5 +122,5 @@ sed -i 's|code / 255.0 \* 2.0 - 1.0|code / 256.0 * 2.0 - 1.0|' "$course/shaders/
 picture_of_window window_check.png "$seconds" '' 02 --check 'three bytes and back'
 {
   show './relief check 02' 7
-  show "./relief explain 02 --check 'three bytes and back' --pixel 40,40" 12
+  show "$(cd "$course" && ./relief check 02 | grep -om1 './relief explain .*')" 12 # of the worst pixel
 } | as_svg >"$here/terminal.svg"
