@@ -64,8 +64,8 @@ void load_fonts(float scale) {
         }
 }
 
-/// Breaks lines at blanks, so that they are at most so wide. Dear ImGui also breaks after punctuation: "0." and "26". It
-/// still breaks a word that is too wide.
+/// Breaks lines at blanks, so that they are at most so wide. Dear ImGui also breaks after punctuation: "0." and "26".
+/// It still breaks a word that is too wide.
 std::string broken_at_blanks(std::string lines, float width) {
     size_t start = 0, blank = 0;
     for (size_t at = 0; at <= lines.size(); ++at) {
