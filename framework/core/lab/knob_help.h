@@ -21,7 +21,7 @@ struct KnobHelp {
     KnobHelp&& in(const char* name_of_unit) &&;
     KnobHelp&& only(const char* other_knob, std::vector<std::string> its_values) &&;
 
-    /// Sets the knob's title in a window, where its name in words is a poor one: "Bits per height" for `bits`.
+    /// Sets the knob's title on screen, where its name in words is a poor one: "Bits per height" for `bits`.
     KnobHelp&& titled(const char* words) &&;
 
     /// Returns the title of a knob of this name. Default: the name in words, "Light yaw" for `light_yaw`.

@@ -4,12 +4,13 @@
   const kept = card => { try { return JSON.parse(localStorage.getItem(`relief ${folder}${card.dataset.live} points`)); } catch { return null; } };
   const labs = [...document.querySelectorAll("article[data-live]")].map(card => ({card, mine: kept(card)}));
   const is_done = ({mine}) => Boolean(mine) && mine.points >= mine.of;
+  const text = points => String(Math.round(points * 100) / 100);
   const begun = labs.filter(({mine}) => mine);
   for (const {card, mine} of begun) {
     const line = card.querySelector(".points"), bar = document.createElement("progress");
     bar.max = mine.of, bar.value = mine.points;
     bar.setAttribute("aria-label", "your points");
-    line.append(document.createElement("br"), bar, ` you have ${mine.points}${mine.optional ? " + " + mine.optional : ""} of ${mine.of}`);
+    line.append(document.createElement("br"), bar, ` you have ${text(mine.points)}${mine.optional ? " + " + text(mine.optional) : ""} of ${mine.of}`);
   }
   if (begun.length) {
     // The lab of the last checks if points are missing there, else the next one that is no elective.
@@ -22,7 +23,7 @@
       link.textContent = "Continue with lab " + next.card.querySelector("h3").textContent;
     }
     const sum = document.createElement("li"), number = document.createElement("b");
-    number.textContent = begun.reduce((points, {mine}) => points + mine.points + mine.optional, 0);
+    number.textContent = text(begun.reduce((points, {mine}) => points + mine.points + mine.optional, 0));
     sum.append(number, "of them yours");
     document.querySelector(".sum").append(sum);
   }

@@ -64,8 +64,8 @@ void load_fonts(float scale) {
         }
 }
 
-/// Breaks lines at blanks, so that they are at most so wide. Dear ImGui also breaks after punctuation: "0." and "26".
-/// It still breaks a word that is too wide.
+}  // namespace
+
 std::string broken_at_blanks(std::string lines, float width) {
     size_t start = 0, blank = 0;
     for (size_t at = 0; at <= lines.size(); ++at) {
@@ -79,8 +79,6 @@ std::string broken_at_blanks(std::string lines, float width) {
     }
     return lines;
 }
-
-}  // namespace
 
 void style_menu(float scale) {
     load_fonts(scale);
@@ -120,9 +118,9 @@ ImFont* font(FontRole role) { return ImGui::GetIO().Fonts->Fonts[int(role)]; }
 
 void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
-void wrapped(const std::string& line) {
-    ImGui::PushTextWrapPos(0);
-    text(broken_at_blanks(line, ImGui::GetContentRegionAvail().x));
+void wrapped(const std::string& line, float right) {
+    ImGui::PushTextWrapPos(right);
+    text(broken_at_blanks(line, right > 0 ? right - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x));
     ImGui::PopTextWrapPos();
 }
 
@@ -138,10 +136,7 @@ void tooltip(const std::string& line) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // opaque over a disabled widget, too
     ImGui::BeginTooltip();
-    const float width = ImGui::GetFontSize() * 28;
-    ImGui::PushTextWrapPos(width);
-    text(broken_at_blanks(line, width));
-    ImGui::PopTextWrapPos();
+    wrapped(line, ImGui::GetFontSize() * 28);
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }

@@ -25,7 +25,11 @@ constexpr float header_height(float scale) { return 42 * scale; }
 constexpr float status_height(float scale) { return 27 * scale; }
 
 void text(const std::string& line);
-void wrapped(const std::string& line);
+/// Returns lines of at most `width` pixels, broken at blanks. Dear ImGui alone also breaks after punctuation, as in
+/// "0." and "26". It still breaks a word that is wider.
+std::string broken_at_blanks(std::string lines, float width);
+/// Shows text in lines that end at `right`, pixels from the window's left border, or at the window's contents if 0.
+void wrapped(const std::string& line, float right = 0);
 void quiet_text(const std::string& line);
 void colored_text(const ImVec4& color, const std::string& line);
 /// Shows a tooltip while the mouse rests on the previous item, wrapped at a readable width.

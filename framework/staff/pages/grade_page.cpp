@@ -8,6 +8,7 @@
 #include <set>
 
 #include "framework/core/base/text.h"
+#include "framework/course/check/verdict.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/student_page.h"
@@ -125,7 +126,7 @@ List outcome_counts(const Counts& of, check::Outcome first) {
 Fields points_cell(const std::string& column, double points, int of, const char* instead = "") {
     return {{"column", column},
             {"share", *instead || of == 0 ? "" : fmt::format("{:.0f}", 100 * points / of)},
-            {"points", points_shown(points)},
+            {"points", check::points_text(points)},
             {"of", of},
             {"instead", *instead ? instead : "–"}};
 }

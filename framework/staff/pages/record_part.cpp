@@ -4,6 +4,7 @@
 
 #include "framework/core/base/text.h"
 #include "framework/course/check/check.h"
+#include "framework/course/check/verdict.h"
 #include "framework/course/pages/template.h"
 #include "framework/staff/grade/strangers_text.h"
 
@@ -19,13 +20,13 @@ List reasons(const grade::LabRecord& lab, grade::UtcOffset offset, PageFor reade
     if (!lab.marked) list.push_back("not graded yet");
     if (lab.marked && !lab.handed_in) list.push_back("nothing handed in");
     if (lab.marked && lab.handed_in && (lab.adjusted() != lab.graded() || lab.days_late > lab.bank_days))
-        list.push_back(points_shown(lab.graded()) + " by the checks");
-    if (lab.adjusted() != lab.graded()) list.push_back(points_shown(lab.adjusted()) + " with adjustments");
+        list.push_back(check::points_text(lab.graded()) + " by the checks");
+    if (lab.adjusted() != lab.graded()) list.push_back(check::points_text(lab.adjusted()) + " with adjustments");
     if (lab.days_late > lab.bank_days)
         list.push_back(fmt::format("{} late: {}{} % less, {} of {}", amount_of(lab.days_late, "day"),
                                    lab.bank_days > 0 ? amount_of(lab.bank_days, "day") + " at no cost, " : "",
-                                   rounded(100 * (1 - lab.late_share)), points_shown(lab.points()),
-                                   points_shown(lab.adjusted())));
+                                   rounded(100 * (1 - lab.late_share)), check::points_text(lab.points()),
+                                   check::points_text(lab.adjusted())));
     else if (lab.days_late > 0)
         list.push_back(grade::lateness_text(lab));
     if (!lab.kept.empty()) list.push_back(lab.kept);
@@ -50,7 +51,7 @@ std::string rendered(const grade::StudentRecord& record, grade::UtcOffset offset
         has_more |= !why.empty();
         labs.push_back(Fields{{"number", number_of(lab.lab)},
                               {"title", lab_title(lab.lab)},
-                              {"points", lab.marked ? points_shown(lab.points()) : "?"},
+                              {"points", lab.marked ? check::points_text(lab.points()) : "?"},
                               {"of", lab.of()},
                               {"missing", !lab.handed_in},
                               {"reasons", rows(std::move(why))}});
@@ -67,7 +68,7 @@ std::string rendered(const grade::StudentRecord& record, grade::UtcOffset offset
     if (record.bank_days > 0)
         late_days = fmt::format("Late days used in this term: {} of {}", record.bank_used, record.bank_days);
     return render("framework/staff/pages/record", {{"has_points", record.is_marked() && record.of() > 0},
-                                                   {"points", points_shown(record.points())},
+                                                   {"points", check::points_text(record.points())},
                                                    {"of", record.of()},
                                                    {"late_days", late_days},
                                                    {"labs", has_more ? rows(std::move(labs)) : Value()},

@@ -9,6 +9,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/lab/registry.h"
+#include "framework/course/check/verdict.h"
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/pages/record_part.h"
@@ -44,7 +45,7 @@ private:
         return {{"number", number_of(lab.lab)},
                 {"title", lab_title(lab.lab)},
                 {"graded", lab.graded()},
-                {"points", points_shown(lab.points())},
+                {"points", check::points_text(lab.points())},
                 {"no_points", lab.points() == 0},
                 {"of", lab.max_points()},
                 {"log", lab.log},
@@ -65,7 +66,7 @@ private:
         return {{"id", task.id},
                 {"title", task.title},
                 {"file", task.file},
-                {"points", points_shown(task.points())},
+                {"points", check::points_text(task.points())},
                 {"of", task.of},
                 {"optional", task.optional ? "optional " : ""},
                 {"worst", badge(worst)},
@@ -162,7 +163,7 @@ private:
                 if (task.points() < task.of)
                     tasks.push_back(Fields{{"id", task.id},
                                            {"title", task.title},
-                                           {"points", points_shown(task.points())},
+                                           {"points", check::points_text(task.points())},
                                            {"of", task.of},
                                            {"hint", rows(with_code(task.hint).list)}});
         }
@@ -202,13 +203,6 @@ std::string lab_title(const std::string& folder) {
     std::string words = at == std::string::npos ? folder : folder.substr(at + 1);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
-}
-
-std::string points_shown(double points) {
-    std::string text = fmt::format("{:.2f}", points);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text;
 }
 
 std::string count_of(size_t count, const std::string& what) {

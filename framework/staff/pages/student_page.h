@@ -21,8 +21,6 @@ std::string student_page(const grade::SubmissionMark& mark, const std::vector<gr
 /// words.
 std::string number_of(const std::string& folder);
 std::string lab_title(const std::string& folder);
-/// Returns points with at most two decimals, as people read them.
-std::string points_shown(double points);
 /// "1 file", "2 files"
 std::string count_of(size_t count, const std::string& what);
 

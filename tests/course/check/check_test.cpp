@@ -140,6 +140,13 @@ TEST(JudgeText, SaysWhyACheckCannotBeDrawn) {
     EXPECT_EQ(judged(0), std::pair(Outcome::broken, std::string("shaders/01_a/1.1.glsl is larger than 1 MiB")));
 }
 
+TEST(Points, HaveAtMostTwoDecimals) {
+    EXPECT_EQ(points_text(4.0 / 3), "1.33");
+    EXPECT_EQ(points_text(20.6), "20.6");
+    EXPECT_EQ(points_text(10), "10");
+    EXPECT_EQ(points_text(0), "0");
+}
+
 TEST(PointsText, GivesTheRangeThatChecksLeaveOpenWhileTheyWait) {
     TaskVerdict task{.id = "1.2", .title = {}, .file = {}, .of = 3, .checks = {right, wrong}};
     EXPECT_EQ(points_text(task), "1.5 of 3 points");

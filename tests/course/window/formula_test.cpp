@@ -78,6 +78,24 @@ protected:
     static constexpr float dock = 444;  ///< width for a handout: the dock's 480 pixels minus its margins
 };
 
+/// Text in the window's fonts.
+class WindowText : public WindowFormula {};
+
+TEST_F(WindowText, BreaksAtBlanksOnlyAndFits) {
+    const std::string text = "wrong: mean 0.296 degrees (at most 0.26),\n\n  largest 0.71 degrees";
+    const float widest = ImGui::CalcTextSize("(at most").x;
+    for (float width = widest; width < 500; width += 7) {
+        const std::string lines = broken_at_blanks(text, width);
+        ASSERT_EQ(lines.size(), text.size());
+        for (size_t i = 0; i < text.size(); ++i)
+            EXPECT_EQ(lines[i], text[i] == ' ' && lines[i] == '\n' ? '\n' : text[i]);
+        // Dear ImGui finds nothing more to break.
+        EXPECT_EQ(ImGui::CalcTextSize(lines.c_str(), nullptr, false, width).y, ImGui::CalcTextSize(lines.c_str()).y)
+            << width << ": " << lines;
+        EXPECT_LE(ImGui::CalcTextSize(lines.c_str()).x, width);
+    }
+}
+
 TEST_F(WindowFormula, EverySymbolOfTheHandoutsHasAGlyph) {
     for (const auto& [handout, blocks] : handouts())
         for (const Lines& lines : blocks)

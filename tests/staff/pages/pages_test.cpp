@@ -222,13 +222,6 @@ TEST(StudentPage, UnfoldsTheFirstPicturesOfATaskAndFoldsTheRest) {
     EXPECT_NE(page.find("<details class=\"check\">"), std::string::npos);
 }
 
-TEST(StudentPage, RoundsPointsToTwoDecimals) {
-    EXPECT_EQ(points_shown(4.0 / 3), "1.33");
-    EXPECT_EQ(points_shown(20.6), "20.6");
-    EXPECT_EQ(points_shown(10), "10");
-    EXPECT_EQ(points_shown(0), "0");
-}
-
 TEST(ClassPage, FoldsTheChecksThatEverybodyPassed) {
     grade::ClassReport report;
     report.marks = {some_submission()};
