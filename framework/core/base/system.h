@@ -62,6 +62,8 @@ Descriptor copy_of(int descriptor);
 void redirect(int descriptor, int to);
 /// Returns whether a person reads the output: the descriptor is a terminal.
 bool is_terminal(int descriptor);
+/// Returns the width of the descriptor's terminal in letters; 0 where it is no terminal, or one of unknown width.
+int terminal_columns(int descriptor);
 
 /// From this call on, calls `clean_up` when SIGINT (Ctrl-C), SIGHUP or SIGTERM ends the process, unless it ignores that
 /// signal. `clean_up` may access only plain memory and call remove_file(). Writing to a closed pipe then is an error

@@ -47,6 +47,7 @@ Descriptor open_to_read(const fs::path& path) {
 bool flush_to_disk(int) { return true; }
 bool flush_folder_to_disk(const fs::path&) { return true; }
 bool is_terminal(int) { return false; }
+int terminal_columns(int) { return 0; }
 
 void clean_up_when_interrupted(void (*)()) {}  // a page has no signals
 double processor_seconds() { return emscripten_get_now() / 1000; }

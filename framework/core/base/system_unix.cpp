@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/utsname.h>
 #include <time.h>
@@ -48,6 +49,11 @@ bool flush_folder_to_disk(const fs::path& path) {
 }
 
 bool is_terminal(int descriptor) { return isatty(descriptor) != 0; }
+
+int terminal_columns(int descriptor) {
+    winsize size{};
+    return ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
 
 void clean_up_when_interrupted(void (*clean_up)()) {
     clean_up_before_the_end = clean_up;

@@ -183,6 +183,12 @@ bool is_terminal(int descriptor) {
     return GetConsoleMode(reinterpret_cast<HANDLE>(_get_osfhandle(descriptor)), &mode) != 0;
 }
 
+int terminal_columns(int descriptor) {
+    CONSOLE_SCREEN_BUFFER_INFO info{};
+    const auto console = reinterpret_cast<HANDLE>(_get_osfhandle(descriptor));
+    return GetConsoleScreenBufferInfo(console, &info) != 0 ? info.dwSize.X : 0;
+}
+
 void prepare_standard_streams() {
     for (const int descriptor : {0, 1, 2}) _setmode(descriptor, _O_BINARY);
     SetConsoleOutputCP(CP_UTF8);

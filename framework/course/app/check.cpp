@@ -23,6 +23,7 @@
 #include "framework/course/check/verdict_json.h"
 #include "framework/course/pages/check_page.h"
 #include "framework/course/pages/page.h"
+#include "framework/library/kit/word_layout.h"
 
 namespace relief::app {
 
@@ -39,6 +40,19 @@ std::string colored(check::Outcome outcome, const std::string& word) {
                                                                                                      : 31,
                        word);
 }
+
+/// Prints a text after `before`, whose letters fill `indent` columns. On a terminal the text is broken at blanks, and
+/// its further lines begin below its first one.
+void print_after(const std::string& before, size_t indent, const std::string& text) {
+    static const auto columns = size_t(os::terminal_columns(standard_output));
+    constexpr size_t least = 20;  // letters of a line; a narrower terminal breaks lines itself
+    std::vector<std::string> lines = {text};
+    if (columns >= indent + least)
+        lines = broken_into_lines(text, [&](const std::string& line) { return line.size() <= columns - indent; });
+    for (size_t i = 0; i < lines.size(); ++i)
+        fmt::print("{}{}\n", i == 0 ? before : std::string(indent, ' '), lines[i]);
+}
+void print_after(const std::string& before, const std::string& text) { print_after(before, before.size(), text); }
 
 /// Prints results. Prints each hint once per task, and each compiler message once.
 class Printer {
@@ -58,8 +72,8 @@ public:
             }
     }
     void print(const check::TaskVerdict& task) {
-        fmt::print("{}  {}: {} ({})\n", task.id, task.title, check::points_text(task), task.file);
-        if (!task.hint.empty()) fmt::print("  look at: {}\n", without_backticks(task.hint));
+        print_after(task.id + "  ", fmt::format("{}: {} ({})", task.title, check::points_text(task), task.file));
+        if (!task.hint.empty()) print_after("  look at: ", without_backticks(task.hint));
         hints_.clear();
         for (const check::Verdict& result : task.checks)
             if (check::reason_to_wait(result).empty()) print(result, task);
@@ -68,31 +82,34 @@ public:
             print_outcome(first.outcome, checks.size() == 1 ? first.name : check::count_of_checks(checks.size()),
                           reason);
         }
-        for (const std::string& demand : task.not_tested) fmt::print("  not tested here: \"{}\"\n", demand);
+        for (const std::string& demand : task.not_tested) print_after("  not tested here: ", '"' + demand + '"');
     }
 
 private:
     void print_outcome(check::Outcome outcome, const std::string& name, const std::string& said) const {
-        fmt::print("  {}  {}: {}\n", colored(outcome, fmt::format("{:<10}", check::name_of(outcome))), name, said);
+        print_after("  " + colored(outcome, fmt::format("{:<10}", check::name_of(outcome))) + "  ", column,
+                    name + ": " + said);
     }
     void print(const check::Verdict& result, const check::TaskVerdict& task) {
         const bool is_repeated = result.outcome == check::Outcome::broken && !messages_.insert(result.found).second;
         print_outcome(result.outcome, result.name, is_repeated ? "the same message as above" : result.found);
         if (result.outcome < check::Outcome::wrong || result.outcome == check::Outcome::unfinished || is_repeated)
             return;
-        for (const std::string& line : lines_for_terminal(result.details)) fmt::print("              {}\n", line);
+        const std::string indent(column, ' ');
+        for (const std::string& line : lines_for_terminal(result.details)) fmt::print("{}{}\n", indent, line);
         if (const std::string& reason = manifest_.check(result.name).reason;
             result.outcome == check::Outcome::wrong && !reason.empty())
-            fmt::print("              why this limit: {}\n", reason);
+            print_after(indent + "why this limit: ", reason);
         if (const std::string hint = pages::look_at(result); !hint.empty() && hints_.insert(hint).second)
-            fmt::print("              look at: {}\n", without_backticks(hint));
+            print_after(indent + "look at: ", without_backticks(hint));
         if (result.outcome != check::Outcome::wrong || manifest_.check(result.name).shot.calls) return;  // no view
         const std::string name = quoted_for_shell(result.name);
-        fmt::print("              in the window: ./relief run {} --check {}\n", lab_.two_digits(), name);
+        // Commands are not broken, so that they can be copied.
+        fmt::print("{}in the window: ./relief run {} --check {}\n", indent, lab_.two_digits(), name);
         const std::optional<glm::ivec2> worst = worst_pixel(result);
         if (worst && is_shader(task.file))
-            fmt::print("              the worst pixel: ./relief explain {} --check {} --pixel {},{}\n",
-                       lab_.two_digits(), name, worst->x, worst->y);
+            fmt::print("{}the worst pixel: ./relief explain {} --check {} --pixel {},{}\n", indent, lab_.two_digits(),
+                       name, worst->x, worst->y);
     }
 
     /// Returns the pixel with the largest error, from the upper left corner; nothing if no pixel can be compared.
@@ -111,6 +128,8 @@ private:
         if (largest == 0) return {};
         return glm::ivec2(worst % size_t(errors.width), worst / size_t(errors.width));
     }
+
+    static constexpr size_t column = 14;  ///< in which the names of checks begin
 
     const LabEntry& lab_;
     const Manifest& manifest_;
