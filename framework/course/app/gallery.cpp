@@ -172,7 +172,7 @@ private:
 
     void complete(pages::LabPage& page) const {
         const auto comparison = pages::compare_methods(*page.lab, *page.manifest);
-        page.card = put(page.lab->folder + "-card.png", card_picture(*page.lab, *page.manifest));
+        page.card = put(page.lab->folder + "-card.png", cover_of(*page.lab, *page.manifest, {640, 360}));
         if (comparison) add(*comparison, page);
         page.handout = add_handout(*page.lab, *page.manifest);
     }
@@ -198,12 +198,12 @@ private:
     }
 
     /// Draws the lab's cover, because many labs open with all methods at once. The card has its words.
-    static Image card_picture(const LabEntry& entry, const Manifest& manifest) {
+    static Image cover_of(const LabEntry& entry, const Manifest& manifest, glm::ivec2 size) {
         Shot shot;
         shot.camera = manifest.camera;
         if (!manifest.cover.empty()) shot = manifest.golden(manifest.cover).shot;
         std::vector<PictureWord> left_out;
-        shot.probe = {}, shot.size = {640, 360}, shot.words = &left_out, shot.studio = true;
+        shot.probe = {}, shot.size = size, shot.words = &left_out, shot.studio = true;
         return render_shot(*make_lab(entry, shot), shot);
     }
 
@@ -214,11 +214,8 @@ private:
         auto page = std::find_if(pages_.begin(), pages_.end(),
                                  [](const pages::LabPage& one) { return one.lab->number == richest; });
         if (page == pages_.end()) page = std::prev(pages_.end());
-        std::vector<PictureWord> left_out;
-        Shot shot;
-        shot.camera = page->manifest->camera, shot.size = {1280, 480}, shot.words = &left_out, shot.studio = true;
         hero_ = pages::Fields{{"file", pages::lab_page_file(*page->lab)},
-                              {"picture", put("hero.png", render_shot(*make_lab(*page->lab, shot), shot))},
+                              {"picture", put("hero.png", cover_of(*page->lab, *page->manifest, {1280, 480}))},
                               {"number", page->lab->two_digits()},
                               {"title", page->manifest->title}};
     }
