@@ -38,9 +38,8 @@ inline std::string faults_of_words(const std::vector<PictureWord>& words, glm::v
         const PlacedWord& text = texts[i];
         const PictureWord& word = words[text.of];
         const bool has_tile = word.kind == PictureWord::Kind::caption || word.kind == PictureWord::Kind::legend;
-        const glm::vec2 extent = word.size * glm::vec2(word.kind == PictureWord::Kind::caption ? word.room : 1, 1);
         if (!is_inside(glm::vec2(0), size, text)) add("leaves the picture", text.text);
-        if (has_tile && !is_inside(word.place, extent, text)) add("leaves its tile", text.text);
+        if (has_tile && !is_inside(word.place, word.size, text)) add("leaves its tile", text.text);
         // The numbers of a scale are as high as its strip, from which tiles have their sizes.
         if (text.size.y < letters.least && word.kind != PictureWord::Kind::scale) add("too small", text.text);
         for (size_t k = 0; k < i; ++k) {

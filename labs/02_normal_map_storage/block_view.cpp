@@ -145,12 +145,12 @@ void BlockView::draw_vectors(const Frame& part, glm::ivec2 size, const Tile& til
 
 void BlockView::describe(glm::ivec2 size, const Tile& tile, const Panel& panel, const ErrorSummary& error,
                          Labels& labels) {
-    labels.caption(size, tile, 0, panel.title);
-    if (error.count == 0) return;
+    if (error.count == 0) return labels.caption(size, tile, 0, panel.title);
     const double stored_bytes = stored(panel.format).bytes_per_texel;
-    labels.caption(size, tile, -1,
-                   fmt::format("{} {} a texel", plain(stored_bytes), stored_bytes == 1 ? "byte" : "bytes"));
-    labels.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
+    labels.caption(
+        size, tile, 0,
+        fmt::format("{}: {} {} a texel", panel.title, plain(stored_bytes), stored_bytes == 1 ? "byte" : "bytes"));
+    labels.caption(size, tile, -1, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
 }
 
 Image BlockView::truth(const Frame& part, const Panel& panel) const {

@@ -32,7 +32,7 @@ public:
             draw_map(frame);
         else
             draw_spheres(frame);
-        if (show_ != light && shows_errors()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (show_ != light && shows_errors()) labels_.scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -94,7 +94,8 @@ private:
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const size_t count = shows_map() ? panels().size() : view_ == one ? 1 : storage::formats.size();
-        return tiles_of(size, int(count), shows_errors() ? Labels::scale_height(size) : 0);
+        const auto tiles = tiles_of(size, int(count), shows_errors() ? Labels::scale_height(size) : 0);
+        return view_ == blocks || view_ == snorm ? Labels::with_feet(size, tiles, 2) : tiles;
     }
     bool shows_errors() const { return view_ != channels && view_ != field; }
     int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }

@@ -44,7 +44,7 @@ public:
                          [wall] { return make_quad({.width = 2 * wall.x, .height = 2 * wall.y}); });
             describe(frame.size, tiles[i], filter_of(i), maps.normals.at(filter_of(i)).error);
         }
-        if (shows_error()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (shows_error()) labels_.scale(frame.size, "0.001~", "10~", 4);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -100,8 +100,9 @@ private:
     };
 
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
-        return tiles_of(frame, settings_.view == Settings::one ? 1 : int(Settings::filters.size()),
-                        shows_error() ? Labels::scale_height(frame) : 0);
+        const int below = shows_error() ? Labels::scale_height(frame) : 0;
+        if (settings_.view == Settings::one) return tiles_of(frame, 1, below);
+        return Labels::with_feet(frame, tiles_of(frame, int(Settings::filters.size()), below), shows_error() ? 2 : 1);
     }
     /// Paint has no formula.
     bool has_known_slope() const { return settings_.map.has_known_slope() && paint_.is_empty(); }

@@ -45,7 +45,7 @@ public:
                          [this] { return plain_mesh(); });
         }
         labels_.notes(notes_of_files(*this));
-        if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
+        if (has_scale()) labels_.scale(frame.size, "0.01~", "100~", 4);
         labels_.draw(frame);
     }
 

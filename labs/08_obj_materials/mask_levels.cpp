@@ -15,7 +15,8 @@ void MaskLevels::draw(const Frame& frame, Labels& labels, int alpha, float thres
     const std::array names = {fmt::format("above {:.2f}", threshold), std::string("kept"), std::string("kept, smooth"),
                               std::string("alpha")};
     const int rows = frame.probe ? 1 : int(names.size());
-    const std::vector<Tile> tiles = tile_grid(frame.size, levels_shown, rows);
+    std::vector<Tile> tiles = tile_grid(frame.size, levels_shown, rows);
+    if (!frame.probe) tiles = Labels::with_feet(frame.size, tiles, 2);
     for (size_t i = 0; i < tiles.size(); ++i) {
         const Tile& tile = tiles[i];
         if (tile.size.x <= 0 || tile.size.y <= 0) continue;
@@ -23,11 +24,11 @@ void MaskLevels::draw(const Frame& frame, Labels& labels, int alpha, float thres
         const int row = int(i) / levels_shown, level = int(i) % levels_shown;
         draw_level(level, frame.probe ? alpha : row, threshold, frame.probe);
         if (frame.probe) continue;
-        // As in a table: the first row names the levels, and the first column the rules.
-        if (row == 0) labels.caption(frame.size, tile, 0, fmt::format("level {}", level));
-        if (level == 0) labels.caption(frame.size, tile, row == 0 ? 1 : 0, names[size_t(row)]);
-        if (const double share = measure(level, row, threshold); std::isfinite(share))
-            labels.caption(frame.size, tile, -1, fmt::format("{:.1f} %", 100 * share));
+        labels.caption(frame.size, tile, 0, names[size_t(row)]);
+        const double share = measure(level, row, threshold);
+        labels.caption(
+            frame.size, tile, -1,
+            fmt::format("level {}", level) + (std::isfinite(share) ? fmt::format(": {:.1f} %", 100 * share) : ""));
     }
 }
 

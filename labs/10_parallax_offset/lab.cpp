@@ -111,12 +111,11 @@ private:
         const bool wide = frame.size.x >= frame.size.y;
         const int columns = int(wide ? angles.size() : methods.size()),
                   rows = int(wide ? methods.size() : angles.size());
-        std::vector<Tile> tiles = tile_grid({frame.size.x, std::max(0, frame.size.y - below)}, columns, rows);
+        std::vector<Tile> tiles = Labels::with_feet(frame.size, tile_grid(frame.size, columns, rows, below), 2);
         const int gap = std::min(frame.size.x, frame.size.y) / 160;
         std::vector<Sight> sights;
         for (int i = 0; i < int(tiles.size()); ++i) {
             Tile& tile = tiles[size_t(i)];
-            tile.corner.y += below;
             tile.size = glm::max(tile.size - gap, 0);
             const int method = wide ? i / columns : i % columns,
                       degrees = angles[size_t(wide ? i % columns : i / columns)];
@@ -233,20 +232,16 @@ private:
         }
     }
 
-    /// Writes captions. Those of a strip are as in a table: its first row and its first column name methods and angles.
+    /// Writes captions. Those of a strip have the angles, too.
     void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<ErrorSummary>& found) {
         for (size_t i = 0; i < sights.size(); ++i) {
             const auto& [tile, frame, method, degrees, by] = sights[i];
-            const bool is_table = view_ == strip;
-            const bool is_first_method = method == sights[0].method, is_first_angle = degrees == sights[0].degrees;
-            std::string title;
-            if (!is_table || is_first_angle) title = methods[size_t(method)];
-            if (is_table && is_first_method && surface_.shape == ReliefSurface::wall)
-                title += fmt::format("{}{}~", title.empty() ? "" : " ", degrees);
-            if (!title.empty()) labels_.caption(size, tile, 0, title);
+            std::string title = methods[size_t(method)];
+            if (view_ == strip && surface_.shape == ReliefSurface::wall) title += fmt::format(" {}~", degrees);
+            labels_.caption(size, tile, 0, title);
             if (found[i].count > 0) labels_.caption(size, tile, -1, amount_of(found[i].mean, "texel"));
         }
-        if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
+        if (show_ != light) labels_.scale(size, "0.01", "100 texels", 4);
     }
 
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};

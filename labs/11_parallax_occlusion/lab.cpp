@@ -33,7 +33,7 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_SCISSOR_TEST);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            const auto& [corner, size] = tiles[i];
+            const glm::ivec2 corner = tiles[i].corner, size = tiles[i].size;
             const int left = !shows_error ? size.x : show_ == error ? 0 : size.x * 3 / 4;
             draw_part(frame, tiles[i], {corner, {left, size.y}}, method_of(i), frame.probe);
             if (shows_error)
@@ -42,13 +42,10 @@ public:
             glScissor(corner.x, corner.y, size.x, size.y);
             studio_.draw(frame_in(frame, tiles[i]), tiles[i], surface_.studio_inputs(),
                          [this] { return surface_.mesh(); });
-            if (view_ == compare) {
-                const float share = float(left) / float(std::max(1, size.x));
-                describe(frame.size, tiles[i], comparisons[i], figures[i], share > 0 ? share : 1);
-            }
+            if (view_ == compare) describe(frame.size, tiles[i], comparisons[i], figures[i]);
         }
         glDisable(GL_SCISSOR_TEST);
-        if (shows_error) labels_.log_scale(frame.size, "0.01", "100 texels", 4);
+        if (shows_error) labels_.scale(frame.size, "0.01", "100 texels", 4);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -122,7 +119,8 @@ private:
     };
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
-        return tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size));
+        return Labels::with_feet(
+            size, tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size)), 3);
     }
     Method method_of(size_t tile) const {
         if (view_ == compare) return comparisons[tile];
@@ -187,16 +185,13 @@ private:
         return figures;
     }
 
-    /// Writes the captions of a tile over the left `room` of its width, beside the error.
-    void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures, float room) {
-        constexpr glm::vec3 bright(0.93f, 0.92f, 0.89f), quiet(0.72f, 0.73f, 0.75f);
-        labels_.caption(size, tile, 0, method.title, bright, room);
+    void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
+        labels_.caption(size, tile, 0, method.title);
         if (figures.pixels == 0) return;
         labels_.caption(
             size, tile, -2,
-            fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)), bright,
-            room);
-        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " taps", quiet, room);
+            fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)));
+        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " taps", {0.72f, 0.73f, 0.75f});
     }
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};

@@ -56,7 +56,7 @@ public:
             studio_.draw(part, tiles[i], studio_inputs(), [this] { return mesh_on_floor(); });
             if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
         }
-        if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 iterations", 8);
+        if (view_ != scene && show_ != show_light) labels_.scale(frame.size, "1", "256 iterations", 8);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -103,7 +103,8 @@ private:
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
-        return tiles_of(size, view_ == compare ? exact_methods : 1, below);
+        if (view_ != compare) return tiles_of(size, 1, below);
+        return Labels::with_feet(size, tiles_of(size, exact_methods, below), costs_ ? 3 : 2);
     }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
 

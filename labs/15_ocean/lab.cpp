@@ -73,7 +73,7 @@ private:
 
     /// Draws the mean of normals on the left and the sum of slopes on the right, and below them the errors of both.
     void draw_halves(const Frame& frame) {
-        const int below = frame.size.y / 4, half = frame.size.x / 2;
+        const int below = frame.size.y / 4, half = frame.size.x / 2, lowest = Labels::scale_height(frame.size);
         const Tile above{{0, below}, {frame.size.x, frame.size.y - below}};
         draw_part({.tile = above,
                    .frame = frame_in(frame, above),
@@ -82,7 +82,7 @@ private:
                    .purpose = "WIPE"});
         constexpr std::array rules = {Settings::mean, Settings::slopes};
         constexpr std::array titles = {"mean of normals", "sum of slopes"};
-        const std::vector<Tile> tiles = tile_grid({frame.size.x, below}, 2, 1);
+        const std::vector<Tile> tiles = tile_grid({frame.size.x, below}, 2, 1, lowest);
         for (size_t i = 0; i < 2; ++i)
             draw_part({.tile = tiles[i],
                        .frame = seen_by(steep(frame.camera.orbit().yaw), frame_in(frame, tiles[i])),
@@ -93,6 +93,7 @@ private:
             labels_.caption(frame.size, {{i * half, below}, {half, above.size.y}}, 0, titles[size_t(i)]);
         const float line = Labels::line_height(frame.size), top = float(above.size.y);
         labels_.rectangle({float(half) - 0.5f, 0.5f * top}, {1, 0.5f * top}, {1, 1, 1, 0.35f});
+        labels_.scale(frame.size, "0~", "12~");  // u_error_scale
         for (size_t i = 0; i < 2; ++i)
             if (const double error = mean_error(rules[i]); std::isfinite(error))
                 labels_.text(fmt::format("{:.1f}~ off", error), {float(half) * (float(i) + 0.5f), top + 0.3f * line},
@@ -115,7 +116,7 @@ private:
     void draw_maps(const Frame& frame) {
         const std::vector<Tile> tiles = tile_grid(frame.size, 2, 2);
         for (int i = 0; i < 4; ++i) {
-            const auto& [corner, size] = tiles[size_t(i)];
+            const glm::ivec2 corner = tiles[size_t(i)].corner, size = tiles[size_t(i)].size;
             const int side = std::min(size.x, size.y) * 9 / 10;
             const Tile square{corner + (size - side) / 2, glm::ivec2(side)};
             glViewport(square.corner.x, square.corner.y, side, side);

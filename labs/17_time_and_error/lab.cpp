@@ -13,7 +13,9 @@
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/relief_surface.h"
+#include "framework/library/kit/studio.h"
 #include "framework/library/kit/uniforms.h"
+#include "framework/library/mesh/shapes.h"
 #include "methods.h"
 #include "truth.h"
 
@@ -34,7 +36,9 @@ public:
             const Tile& tile = tiles[i];
             const bool shows_methods = view_ == methods_only || i == 1;
             glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-            const double reach = draw_wall(frame_budget(frame_in(frame, tile)), shows_methods);
+            const Frame part = frame_in(frame, tile);
+            const double reach = draw_wall(frame_budget(part), shows_methods);
+            studio_.draw(part, tile, {}, plane_of_wall);
             if (std::isfinite(reach))
                 labels_.caption(frame.size, tile, 1,
                                 fmt::format("triangles coarser beyond {}", amount_of(reach, "metre", 2)));
@@ -79,6 +83,14 @@ private:
     enum View { both, picture, methods_only };
     static constexpr auto views = choices<View>({{both, "both"}, {picture, "picture"}, {methods_only, "methods"}});
     static constexpr glm::ivec2 measured{96, 96};
+
+    /// Returns the plane of the wall, which stands on the studio's floor.
+    static Mesh plane_of_wall() {
+        const glm::vec2 size = wall_high - wall_low, middle = (wall_high + wall_low) / 2.0;
+        Mesh mesh = make_quad({.width = size.x, .height = size.y, .columns = 64, .rows = 4});
+        for (Vertex& vertex : mesh.vertices) vertex.position += glm::vec3(middle, 0);
+        return mesh;
+    }
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
 
@@ -219,6 +231,7 @@ private:
     mutable Kept<MapErrors, int> map_errors_;  ///< by the surface's version
     std::optional<VertexArrayName> layout_;
     VertexStream corners_{{{0, 2, GL_FLOAT, 0}}};
+    Studio studio_;
     Labels labels_;
 
     int view_ = both, method_ = automatic;

@@ -79,7 +79,8 @@ private:
     /// Four normals of a tube, each under striped light and with its errors.
     void draw_four_ways(const Frame& frame) {
         const Scene scene = scene_of(settings_, tube);
-        const auto tiles = tile_grid(frame.size, 2, 2);
+        const auto tiles = tile_grid(frame.size, 2, 2, Labels::scale_height(frame.size));
+        labels_.scale(frame.size, "0~", "30~");  // error_scale of serpent.frag
         for (int way = 0; way < 4; ++way) {
             const Tile& tile = tiles[size_t(way)];
             const glm::ivec2 half(tile.size.x / 2, tile.size.y);

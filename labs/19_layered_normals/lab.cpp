@@ -57,7 +57,9 @@ private:
     void draw_six(const Frame& frame, const Programs& programs, const std::array<int, 6>& methods,
                   std::span<const char* const> names,
                   const std::function<void(const Frame&, int method, const Define& purpose)>& draw) {
-        const auto tiles = tile_grid(frame.size, 3, 2);
+        const auto tiles =
+            Labels::with_feet(frame.size, tile_grid(frame.size, 3, 2, Labels::scale_height(frame.size)), 2);
+        labels_.scale(frame.size, "0~", fmt::format("{:.0f}~", error_scale));
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw(part, methods[i], "ERROR"); });
             labels_.caption(frame.size, tiles[i], 0, names[size_t(methods[i])]);
@@ -78,7 +80,8 @@ private:
     void draw_far_walls(const Frame& frame) {
         const int count = int(Settings::filters.size());
         const bool is_wide = frame.size.x >= frame.size.y;  // else no name fits into a fifth of the width
-        const auto tiles = tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count);
+        const auto tiles =
+            Labels::with_feet(frame.size, tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count), 1);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw_wall(part, Settings::pd, int(i), ""); });
             labels_.caption(frame.size, tiles[i], 0, Settings::filters.names[i]);
@@ -156,9 +159,11 @@ private:
     void set_light(const Program& program) const {
         program.set("u_to_light", settings_.light.direction());
         program.set("u_gloss", 0.003f * (settings_.shininess + 8));
-        program.set("u_error_scale", 6.0f);
+        program.set("u_error_scale", error_scale);
         program.set("u_split", split_);
     }
+
+    static constexpr float error_scale = 6;  ///< error of the brightest colour (pale yellow), degrees
 
     Settings settings_;
     float split_ = 0;

@@ -259,7 +259,7 @@ TEST(NormalMapTextures, OfSignedBytesHaveTheErrorsOfTheHandout) {
 /// Returns the probe `normal` in a tile of the view `snorm`, from its upper left pixel with a surface.
 std::vector<glm::vec3> normals_in_tile(const Image& probe, size_t tile) {
     const glm::ivec2 size(probe.width, probe.height);
-    const auto [corner, extent] = tiles_of(size, 4, Labels::scale_height(size))[tile];
+    const auto [corner, extent, foot] = Labels::with_feet(size, tiles_of(size, 4, Labels::scale_height(size)), 2)[tile];
     std::vector<glm::vec3> normals;
     for (int y = size.y - corner.y - extent.y; y < size.y - corner.y; ++y)
         for (int x = corner.x; x < corner.x + extent.x; ++x)

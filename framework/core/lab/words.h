@@ -10,7 +10,7 @@ namespace relief {
 /// left corner. Colours are in stored sRGB.
 struct PictureWord {
     enum class Kind {
-        caption,  ///< a line in the middle of a tile; place and size are the tile's
+        caption,  ///< a line in the middle of a tile, or in the strip below it; place and size are the tile's
         legend,   ///< a colour and its name, in the strip at the foot of a tile; place and size are the tile's
         note,     ///< a sentence at the foot of the picture
         text,     ///< `anchor` says which point of the text is at place.x; size.y is its height
@@ -22,9 +22,9 @@ struct PictureWord {
     std::string text = {}, end = {};  ///< UTF-8
     glm::vec4 color{1};
     int line = 0;      ///< of a caption: 0 is the title, -1 the last; a legend begins a row where it changes
-    float room = 1;    ///< of a caption: the share of its tile's width, from the left, in which it is
+    float foot = 0;    ///< of a caption or a legend: height of the strip below its tile, within size; 0: none
     float anchor = 0;  ///< of a text: 0 left, 0.5 middle, 1 right
-    int parts = 1;     ///< of a scale: each tick is a tenth of the next
+    int parts = 1;     ///< of a logarithmic scale: its ticks divide it into parts of one ratio; 1: a linear scale
 };
 
 }  // namespace relief

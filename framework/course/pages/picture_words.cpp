@@ -36,22 +36,24 @@ List tiles_of_captions(std::span<const PictureWord> words) {
             if (same_tile(word, captions[i])) lines.push_back(word);
         std::stable_sort(lines.begin(), lines.end(),
                          [](const PictureWord& a, const PictureWord& b) { return a.line < b.line; });
+        // The foot of a tile has its captions from the title to the last line: 0, 1, ..., -2, -1.
+        const bool has_foot = lines.front().foot > 0;
+        if (has_foot)
+            std::stable_partition(lines.begin(), lines.end(), [](const PictureWord& word) { return word.line >= 0; });
         List top, bottom, legend;
-        float room = 1;
         for (const PictureWord& word : lines) {
             const std::string color = color_of(word.color);
             if (word.kind == PictureWord::Kind::legend) {
                 legend.push_back(Fields{{"text", word.text}, {"style", "background:" + color}});
                 continue;
             }
-            room = std::min(room, word.room);
-            (word.line < 0 ? bottom : top).push_back(Fields{{"text", word.text}, {"style", "color:" + color}});
+            (word.line < 0 || has_foot ? bottom : top)
+                .push_back(Fields{{"text", word.text}, {"style", "color:" + color}});
         }
         tiles.push_back(Fields{
             {"style", box_of(captions[i])},
             {"corner", fmt::format("left:{};top:{}", percent(captions[i].place.x), percent(captions[i].place.y))},
             {"number", std::to_string(tiles.size() + 1)},
-            {"room", room < 1 ? "align-self:flex-start;width:" + percent(room) : ""},
             {"top", std::move(top)},
             {"bottom", std::move(bottom)},
             {"legend", std::move(legend)}});

@@ -53,8 +53,18 @@ void Labels::add(PictureWord word) {
 }
 
 void Labels::add_in_tile(glm::ivec2 size, const Tile& tile, PictureWord word) {
-    word.place = {tile.corner.x, size.y - tile.corner.y - tile.size.y}, word.size = tile.size;
+    word.place = {tile.corner.x, size.y - tile.corner.y - tile.size.y};
+    word.size = tile.size + glm::ivec2(0, tile.foot), word.foot = float(tile.foot);
     add(std::move(word));
+}
+
+std::vector<Tile> Labels::with_feet(glm::ivec2 size, std::vector<Tile> tiles, int lines) {
+    for (Tile& tile : tiles) {
+        if (tile.size.y <= 0) continue;
+        tile.foot = std::min(tile.size.y, int(foot_height(float(tile.size.y), lines, letters(size))));
+        tile.corner.y += tile.foot, tile.size.y -= tile.foot;
+    }
+    return tiles;
 }
 
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) {
@@ -80,11 +90,9 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
                                             : 1.0f});
 }
 
-void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color,
-                     float room) {
-    add_in_tile(
-        size, tile,
-        {.kind = PictureWord::Kind::caption, .text = text, .color = glm::vec4(color, 1), .line = line, .room = room});
+void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
+    add_in_tile(size, tile,
+                {.kind = PictureWord::Kind::caption, .text = text, .color = glm::vec4(color, 1), .line = line});
 }
 
 void Labels::legend(glm::ivec2 size, const Tile& tile, const std::string& text, glm::vec3 color, int row) {
@@ -96,14 +104,14 @@ void Labels::notes(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) add({.kind = PictureWord::Kind::note, .text = note});
 }
 
-void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
+void Labels::scale(glm::ivec2 size, const std::string& low, const std::string& high, int parts) {
     const float line = scale_line(size) * 0.7f, length = 0.4f * float(size.x);
     add({.kind = PictureWord::Kind::scale,
          .place = {(float(size.x) - length) / 2, float(size.y) - line * 1.1f},
          .size = {length, line * 0.8f},
          .text = low,
          .end = high,
-         .parts = ticks});
+         .parts = parts});
 }
 
 std::vector<Labels::Corner> Labels::corners_of(const WordLayout& layout) {
@@ -137,7 +145,7 @@ void Labels::draw(const Frame& frame) {
     if (frame.probe || std::exchange(draw_, draws_begun()) != draws_begun()) return;
     if (frame.words) {
         for (PictureWord& word : words) {
-            word.place /= frame.size, word.size /= frame.size;
+            word.place /= frame.size, word.size /= frame.size, word.foot /= float(frame.size.y);
             frame.words->push_back(std::move(word));
         }
         return;

@@ -31,10 +31,14 @@ public:
     /// the text at its left, its middle or its right.
     void text(const std::string& text, glm::vec2 place, float height, Align align = Align::left,
               glm::vec3 color = {0.93f, 0.92f, 0.89f});
-    /// Adds text in the middle of a tile: line 0 is its title, -1 the last line. `room` is the share of the tile's
-    /// width, from the left, in which the text stays.
+    /// Returns the tiles with their lower ends cut off: a strip of so many lines for the captions of each tile. For
+    /// small tiles, whose pictures captions would hide. Tiles without a size stay as they are.
+    static std::vector<Tile> with_feet(glm::ivec2 size, std::vector<Tile> tiles, int lines);
+
+    /// Adds text in the middle of a tile: line 0 is its title, -1 the last line. The captions of a tile with a foot are
+    /// in the foot.
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
-                 glm::vec3 color = {0.93f, 0.92f, 0.89f}, float room = 1);
+                 glm::vec3 color = {0.93f, 0.92f, 0.89f});
     /// Adds a colour and its name to the strip at the foot of a tile. Another `row` begins a row of the strip.
     void legend(glm::ivec2 size, const Tile& tile, const std::string& text, glm::vec3 color, int row = 0);
     /// Adds notes about files along the lower edge. If they do not fit into half of the picture, the last line counts
@@ -44,10 +48,10 @@ public:
     /// Marks a pixel: a bright cross on a dark one, with a gap in the middle.
     void cross(glm::vec2 middle, float reach);
 
-    /// Adds the scale of heat() in the lowest scale_height() pixels of a frame. Its left end is `low`; each tick is ten
-    /// times the previous one.
+    /// Adds the scale of heat() in the lowest scale_height() pixels of a frame, from `low` to `high`. Ticks divide a
+    /// logarithmic scale into `parts` of one ratio. A linear scale has one part.
     static int scale_height(glm::ivec2 size) { return int(std::ceil(0.9f * scale_line(size))); }
-    void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
+    void scale(glm::ivec2 size, const std::string& low, const std::string& high, int parts = 1);
 
     /// Draws into the whole of frame.target, and clears the collection.
     void draw(const Frame& frame);

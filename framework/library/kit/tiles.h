@@ -14,36 +14,40 @@ namespace relief {
 /// A part of a frame, in pixels from its lower left corner, as for glViewport.
 struct Tile {
     glm::ivec2 corner, size;
+    int foot = 0;  ///< height of the strip below the tile that has its captions; 0: they are over its picture
 };
 
-/// Returns tiles row by row from the top, each row from the left. Together they cover the frame. A tile of a tiny frame
-/// may be empty.
-inline std::vector<Tile> tile_grid(glm::ivec2 size, int columns, int rows) {
+/// Returns tiles row by row from the top, each row from the left. Together they cover the frame but for its lowest
+/// `below` pixels. A tile of a tiny frame may be empty.
+inline std::vector<Tile> tile_grid(glm::ivec2 size, int columns, int rows, int below = 0) {
+    size.y = std::max(0, size.y - below);
     std::vector<Tile> tiles;
     for (int row = rows - 1; row >= 0; --row)
         for (int column = 0; column < columns; ++column) {
             const glm::ivec2 begin(size.x * column / columns, size.y * row / rows);
             const glm::ivec2 end(size.x * (column + 1) / columns, size.y * (row + 1) / rows);
-            tiles.push_back({begin, end - begin});
+            tiles.push_back({begin + glm::ivec2(0, below), end - begin});
         }
     return tiles;
 }
 
-/// Returns `count` tiles, with the number of columns that makes them nearly square and leaves few places empty. The
-/// lowest `below` pixels stay free.
+/// Returns `count` tiles, with the number of columns that makes them nearly square and leaves few places empty. A last
+/// row with fewer tiles is in the middle. The lowest `below` pixels stay free.
 inline std::vector<Tile> tiles_of(glm::ivec2 size, int count, int below = 0) {
-    size.y = std::max(0, size.y - below);
+    const int above = std::max(0, size.y - below);
     const auto rows = [&](int columns) { return (count + columns - 1) / columns; };
     const auto cost = [&](int columns) {
-        const double wide = double(size.x) / columns, high = double(size.y) / rows(columns);
+        const double wide = double(size.x) / columns, high = double(above) / rows(columns);
         return std::abs(std::log(wide / high)) + std::log(double(columns) * rows(columns) / count);
     };
     int columns = 1;
     for (int candidate = 2; candidate <= count; ++candidate)
         if (cost(candidate) < cost(columns)) columns = candidate;
-    std::vector<Tile> tiles = tile_grid(size, columns, rows(columns));
+    std::vector<Tile> tiles = tile_grid(size, columns, rows(columns), below);
+    const int in_last_row = count - (rows(columns) - 1) * columns;
     tiles.resize(size_t(count));
-    for (Tile& tile : tiles) tile.corner.y += below;
+    for (auto tile = tiles.end() - in_last_row; tile != tiles.end(); ++tile)
+        tile->corner.x += size.x * (columns - in_last_row) / (2 * columns);
     return tiles;
 }
 
@@ -67,7 +71,7 @@ inline std::optional<Image> truth_in_tiles(
     Image whole(frame.size.x, frame.size.y, 4);
     std::fill(whole.values.begin(), whole.values.end(), no_surface);  // for pixels outside of all tiles
     for (size_t i = 0; i < tiles.size(); ++i) {
-        const auto& [corner, size] = tiles[i];
+        const glm::ivec2 corner = tiles[i].corner, size = tiles[i].size;
         if (size.x <= 0 || size.y <= 0) continue;
         const std::optional<Image> part = truth(frame_in(frame, tiles[i]), i);
         if (!part) return {};

@@ -17,6 +17,7 @@ constexpr glm::vec4 strip_color{0.05f, 0.055f, 0.065f, 1.0f};  ///< behind a leg
 /// One tile with its captions and its legend, as indices of words.
 struct TileWords {
     glm::vec2 place, size;
+    float foot = 0;
     std::vector<size_t> captions = {}, legend = {};
 };
 
@@ -29,6 +30,12 @@ struct Line {
 /// The edges of a line: left and right of its letters, and above and below them.
 float side_of(float height) { return 0.25f * height; }
 float step_of(float height) { return std::round(1.25f * height); }
+
+/// Returns the height of a title or of another caption in a tile `high` pixels high, if it has the room.
+float caption_height(float high, bool is_title, const Letters& letters) {
+    const float title = std::clamp(0.09f * high, letters.least, letters.usual);
+    return std::max(letters.least, is_title ? title : 0.8f * title);
+}
 
 /// Returns the text with blanks in words that no line has room for, such as the path of a file.
 std::string with_short_words(const std::string& text, const std::function<bool(const std::string& line)>& fits) {
@@ -167,10 +174,11 @@ private:
             auto tile = std::find_if(tiles.begin(), tiles.end(), [&](const TileWords& other) {
                 return other.place == word.place && other.size == word.size;
             });
-            if (tile == tiles.end()) tile = tiles.insert(tile, {word.place, word.size});
+            if (tile == tiles.end()) tile = tiles.insert(tile, {word.place, word.size, word.foot});
             (is_caption ? tile->captions : tile->legend).push_back(i);
         }
-        const auto is_above = [&](size_t a, size_t b) { return words_[a].line < words_[b].line; };
+        // From the top: 0, 1, ..., -2, -1.
+        const auto is_above = [&](size_t a, size_t b) { return unsigned(words_[a].line) < unsigned(words_[b].line); };
         for (TileWords& tile : tiles) {
             std::stable_sort(tile.captions.begin(), tile.captions.end(), is_above);
             std::stable_sort(tile.legend.begin(), tile.legend.end(), is_above);
@@ -178,18 +186,18 @@ private:
         return tiles;
     }
 
-    float room_of(const PictureWord& caption, float height) const {
-        return caption.size.x * caption.room - 2 * side_of(height) - 2;
-    }
+    static float room_of(const PictureWord& caption, float height) { return caption.size.x - 2 * side_of(height) - 2; }
 
     /// Titles have one height in the whole picture, and so have all other captions: the largest that the narrowest tile
-    /// has room for, but no smaller than seven tenths. A longer text is broken into lines.
+    /// has room for, but no smaller than seven tenths. A longer text is broken into lines. A foot has room for its
+    /// lines in the letters of labels.png; others shrink.
     void set_heights(const std::vector<TileWords>& tiles) {
         for (const TileWords& tile : tiles) {
-            const float usual = std::clamp(0.09f * tile.size.y, letters_.least, letters_.usual);
+            const float needed = foot_height(tile.size.y, int(tile.captions.size()), letters_);
+            const float share = tile.foot > 0 ? std::min(1.0f, tile.foot / needed) : 1;
             for (const size_t i : tile.captions) {
                 const bool is_title = words_[i].line == 0;
-                const float high = std::max(letters_.least, is_title ? usual : 0.8f * usual);
+                const float high = std::max(letters_.least, share * caption_height(tile.size.y, is_title, letters_));
                 const float wide = width(words_[i].text, high), room = room_of(words_[i], high);
                 const float fitting = wide > room ? high * room / wide : high;
                 float& height = height_[is_title ? 0 : 1];
@@ -199,7 +207,8 @@ private:
     }
 
     void place_tile(const TileWords& tile) {
-        const float bottom = place_legend(tile, std::min(tile.place.y + tile.size.y, foot_));
+        const float end = std::min(tile.place.y + tile.size.y, foot_), foot = tile.place.y + tile.size.y - tile.foot;
+        float bottom = place_legend(tile, tile.foot > 0 ? foot : end);
         // Lines of each caption, and those that have room.
         std::vector<std::vector<Line>> lines;
         std::vector<bool> has_room;
@@ -212,7 +221,9 @@ private:
             has_room.push_back(std::all_of(own.begin(), own.end(), [&](const Line& line) { return fits(line.text); }));
             lines.push_back(std::move(own));
         }
-        float left = bottom - tile.place.y - 0.5f * letters_.least;
+        float top = tile.place.y;
+        if (tile.foot > 0) top = foot, bottom = std::max(foot, end);
+        float left = bottom - top - 0.5f * letters_.least;
         for (const size_t k : by_importance(tile)) {
             float high = 0;
             for (const Line& line : lines[k]) high += step_of(line.height);
@@ -222,19 +233,20 @@ private:
             else
                 result_.left_out.push_back(words_[tile.captions[k]].text);
         }
-        float top = tile.place.y + 0.2f * letters_.least, foot = bottom - 0.05f * letters_.least;
+        top += 0.2f * letters_.least, bottom -= 0.05f * letters_.least;
+        const auto is_from_top = [&](const Line& line) { return tile.foot > 0 || words_[line.of].line >= 0; };
         for (size_t k = 0; k < lines.size(); ++k)
             for (const Line& line : lines[k])
-                if (has_room[k] && words_[line.of].line >= 0) add_caption(tile, line, top), top += step_of(line.height);
+                if (has_room[k] && is_from_top(line)) add_caption(tile, line, top), top += step_of(line.height);
         for (size_t k = lines.size(); k-- > 0;)
             for (auto line = lines[k].rbegin(); line != lines[k].rend(); ++line)
-                if (has_room[k] && words_[line->of].line < 0)
-                    foot -= step_of(line->height), add_caption(tile, *line, foot);
+                if (has_room[k] && !is_from_top(*line))
+                    bottom -= step_of(line->height), add_caption(tile, *line, bottom);
     }
 
     void add_caption(const TileWords& tile, const Line& line, float top) {
-        const float wide = tile.size.x * words_[line.of].room;
-        add_line(line.text, {tile.place.x + (wide - width(line.text, line.height)) / 2, top}, line.height, line.of);
+        add_line(line.text, {tile.place.x + (tile.size.x - width(line.text, line.height)) / 2, top}, line.height,
+                 line.of, tile.foot == 0);
     }
 
     /// Returns the captions of a tile: the title, then the last line, then the others.
@@ -305,6 +317,11 @@ private:
 };
 
 }  // namespace
+
+float foot_height(float high, int lines, const Letters& letters) {
+    const auto step = [&](bool is_title) { return step_of(caption_height(high, is_title, letters)); };
+    return step(true) + float(lines - 1) * step(false) + 0.5f * letters.least;
+}
 
 std::vector<std::string> broken_into_lines(const std::string& text,
                                            const std::function<bool(const std::string& line)>& fits) {

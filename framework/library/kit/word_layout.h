@@ -35,10 +35,13 @@ struct WordLayout {
 };
 
 /// Places the words of a picture of `size` pixels; `words` are in pixels, too. A caption stays in its tile: it shrinks
-/// down to the smallest legible height, and is then broken into lines. A legend has a strip at the foot of its tile,
-/// and notes have one at the foot of the picture; captions are above both. No text leaves the picture. A caption
-/// without room is left out, the title of a tile last.
+/// down to the smallest legible height, and is then broken into lines. A legend has a strip at the lower end of its
+/// tile, and notes have one at the lower end of the picture; captions are above both, or in the foot of their tile. No
+/// text leaves the picture. A caption without room is left out, the title of a tile last.
 WordLayout lay_out(const std::vector<PictureWord>& words, glm::vec2 size, const Letters& letters);
+
+/// Returns the height in pixels of the foot of a tile `high` pixels high, for a title and `lines` - 1 other captions.
+float foot_height(float high, int lines, const Letters& letters);
 
 /// Breaks a text at blanks into lines that `fits` accepts. A word that no line has room for is a line of its own.
 std::vector<std::string> broken_into_lines(const std::string& text,

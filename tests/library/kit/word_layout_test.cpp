@@ -64,6 +64,25 @@ TEST(WordLayout, ALowTileKeepsItsTitle) {
     EXPECT_EQ(layout.left_out, std::vector<std::string>{"last"});
 }
 
+TEST(WordLayout, AFootHasAllCaptionsFromTheTitleToTheLastLineAndNoneIsOverThePicture) {
+    for (const float high : {90.0f, 150.0f, 400.0f}) {
+        const float foot = foot_height(high, 3, letters);
+        std::vector<PictureWord> words = {caption("last line", {0, 0}, {220, high}, -1),
+                                          caption("second line", {0, 0}, {220, high}, -2),
+                                          caption("title", {0, 0}, {220, high})};
+        for (PictureWord& word : words) word.foot = foot;
+        const WordLayout layout = lay_out(words, {220, high}, letters);
+        EXPECT_TRUE(layout.left_out.empty()) << high << ": " << layout.left_out.front();
+        float before = high - foot;  // the picture is above
+        for (const size_t i : {2, 1, 0}) {
+            const PlacedWord text = texts_of(layout, i).at(0);
+            EXPECT_GE(text.place.y, before) << high << ": " << text.text;
+            before = text.place.y + text.size.y;
+        }
+        EXPECT_EQ(faults_of_words(words, {220, high}, letters), "") << high;
+    }
+}
+
 TEST(WordLayout, ALegendHasAStripBelowTheCaptions) {
     std::vector<PictureWord> words = {caption("last line", {100, 0}, {120, 300}, -1)};
     for (const char* const level : {"1", "2", "4", "8", "16", "32", "64"})
