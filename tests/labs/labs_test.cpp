@@ -435,7 +435,7 @@ std::string faults_of_view(Lab& lab, Shot shot, glm::ivec2 size) {
     std::vector<PictureWord> words;
     shot.words = &words;
     draw_lab(lab, frame_of(shot, Target(TargetKind::picture, size)));
-    for (PictureWord& word : words) word.place *= size, word.size *= size;
+    for (PictureWord& word : words) word = scaled(std::move(word), size);
     const Letters of_window{
         .width = [](const std::string& text, float height) { return 0.6f * height * float(text.size()); },
         .usual = 15,

@@ -410,12 +410,12 @@ TEST(Ocean, HeightsOfAFileHaveTheirOwnSlopesAsExactOnes) {
         EXPECT_LT(summarize(error_image(normals("maps"), normals("analytic"), ErrorMetric::angle)).mean, 0.3) << number;
 
         // Below the sea are the errors of both rules, from black to yellow at 12 degrees, each with its mean in a
-        // label.
+        // label, and a scale.
         const Image halves = drawn("15", shot_of("15", {own}, "", {256, 160}));
         const auto redness = [&](int left) {
             double sum = 0;
-            for (int y = 144; y < 160; ++y)
-                for (int x = left; x < left + 128; ++x) sum += double(halves.pixel(x, y)[0]) / (16 * 128);
+            for (int y = 138; y < 150; ++y)
+                for (int x = left; x < left + 128; ++x) sum += double(halves.pixel(x, y)[0]) / (12 * 128);
             return sum;
         };
         EXPECT_GT(redness(0), 0.2) << "the mean of normals, map " << number;

@@ -77,6 +77,7 @@ Program::Program(const std::vector<fs::path>& stages, const std::vector<std::str
 Program::Program(std::vector<ShaderSource> stages) {
     const Stopwatch watch;
     if (shader_rewriting()) shader_rewriting()(stages, name_);
+    std::transform(stages.begin(), stages.end(), stages.begin(), reached_source);
     std::vector<ShaderName> shaders;
     for (const ShaderSource& source : stages) {
         known_.insert(source.names.begin(), source.names.end());
@@ -186,20 +187,23 @@ public:
     }
 
     /// Returns whether the files have new text: two reads in a row agree, and differ from the last text tried.
-    /// Recompiles the program then, unless it has never compiled.
+    /// Recompiles the program then, unless it has never compiled. Finds errors in functions that the program does not
+    /// reach, too: a person who writes one wants to know.
     bool look() {
         Text text = read();
         const bool settled = text.whole == std::exchange(seen_, text.whole);
-        if (!settled || text.whole == tried_) return false;
-        tried_ = text.whole;
-        if (!program_) return true;  // failed at first use: the next program() compiles it
+        if (!settled || text.whole == looked_at_) return false;
+        looked_at_ = text.whole;
+        const bool is_new = text.whole != std::exchange(tried_, text.whole);
+        if (!program_) return is_new;  // failed at first use: the next program() compiles it
         error_.reset();
         try {
+            for (const ShaderSource& source : text.sources) relief::compile(source);
             if (text.whole != made_of_) compile(std::move(text)), ++renewals_;
         } catch (const Error& error) {
             error_ = error;
         }
-        return true;
+        return is_new;
     }
     const std::optional<Error>& error() const { return error_; }
     int renewals() const { return renewals_; }
@@ -234,7 +238,7 @@ private:
     std::vector<fs::path> stages_;
     std::vector<std::string> defines_;
     std::optional<Program> program_;
-    std::string made_of_, tried_, seen_;
+    std::string made_of_, tried_, looked_at_, seen_;
     std::optional<Error> error_;
     int renewals_ = 0;
 };

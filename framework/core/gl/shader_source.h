@@ -27,6 +27,12 @@ ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<s
 ShaderSource load_shader_text(const std::string& text, const std::filesystem::path& stage,
                               const std::vector<std::string>& defines);
 
+/// Returns the source without the functions that main() does not reach, without comments and empty lines, with the
+/// place of each line that is left. A driver keeps compiled programs by their text, so a change of one function
+/// compiles only the programs that use it. A name in a preprocessor line counts as used. Code that parse_glsl() does
+/// not understand stays.
+ShaderSource reached_source(const ShaderSource& source);
+
 /// Returns the names in a text's own #include lines, as written. Skips malformed lines.
 std::set<std::string> included_by(const std::string& text);
 

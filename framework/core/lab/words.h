@@ -27,4 +27,10 @@ struct PictureWord {
     int parts = 1;     ///< of a logarithmic scale: its ticks divide it into parts of one ratio; 1: a linear scale
 };
 
+/// Returns the word in a picture that is larger by these factors.
+inline PictureWord scaled(PictureWord word, glm::vec2 factors) {
+    word.place *= factors, word.size *= factors, word.foot *= factors.y;
+    return word;
+}
+
 }  // namespace relief

@@ -59,7 +59,7 @@ class Printer {
 public:
     Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
 
-    /// Prints the messages of compilers, each once. One mistake in a file keeps all of its checks from drawing.
+    /// Prints the messages of compilers, each once. One mistake keeps all checks from drawing that use its function.
     void print_messages(const std::vector<check::TaskVerdict>& tasks) {
         for (const check::TaskVerdict& task : tasks)
             for (const check::Verdict& result : task.checks) {

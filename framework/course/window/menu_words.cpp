@@ -26,7 +26,7 @@ Letters window_letters() {
 
 std::vector<Box> draw_words(std::vector<PictureWord> words, const Box& picture, int begin, int end) {
     const glm::vec2 corner(picture.at), whole(picture.size);
-    for (PictureWord& word : words) word.place *= whole, word.size *= whole;
+    for (PictureWord& word : words) word = scaled(std::move(word), whole);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     std::vector<Box> grounds;
     for (const PlacedWord& word : lay_out(words, whole, window_letters()).placed) {

@@ -60,8 +60,7 @@ void Labels::add_in_tile(glm::ivec2 size, const Tile& tile, PictureWord word) {
 
 std::vector<Tile> Labels::with_feet(glm::ivec2 size, std::vector<Tile> tiles, int lines) {
     for (Tile& tile : tiles) {
-        if (tile.size.y <= 0) continue;
-        tile.foot = std::min(tile.size.y, int(foot_height(float(tile.size.y), lines, letters(size))));
+        tile.foot = std::min(tile.size.y / 2, int(foot_height(float(tile.size.y), lines, letters(size))));
         tile.corner.y += tile.foot, tile.size.y -= tile.foot;
     }
     return tiles;
@@ -144,10 +143,7 @@ void Labels::draw(const Frame& frame) {
     std::vector<PictureWord> words = std::exchange(words_, {});
     if (frame.probe || std::exchange(draw_, draws_begun()) != draws_begun()) return;
     if (frame.words) {
-        for (PictureWord& word : words) {
-            word.place /= frame.size, word.size /= frame.size, word.foot /= float(frame.size.y);
-            frame.words->push_back(std::move(word));
-        }
+        for (PictureWord& word : words) frame.words->push_back(scaled(std::move(word), 1.0f / glm::vec2(frame.size)));
         return;
     }
     const std::vector<Corner> corners = corners_of(lay_out(words, glm::vec2(frame.size), letters(frame.size)));

@@ -99,6 +99,24 @@ TEST_F(RenewPrograms, ACompileErrorKeepsTheLastProgramAndNamesItsLine) {
     EXPECT_NE(GLuint(program), before);
 }
 
+// A program is compiled without the functions that it does not use. A person who edits one sees its errors all the
+// same.
+TEST_F(RenewPrograms, AnErrorInAFunctionOutOfReachLeavesTheProgramAndIsFound) {
+    folder_.write("light.glsl", "float light() { return 1.0; }\nfloat other() { return brightness; }\n");
+    const Program& program = programs_.with();
+    const GLuint before = program;
+    const ShaderNews first = look_twice();
+    EXPECT_FALSE(first.changed) << "the file is as the program was made of";
+    ASSERT_TRUE(first.error);
+    EXPECT_EQ(first.error->place().file, light_);
+    EXPECT_EQ(first.error->place().line, 2);
+    light("1.0");
+    const ShaderNews news = look_twice();
+    EXPECT_TRUE(news.changed);
+    EXPECT_FALSE(news.error);
+    EXPECT_NE(GLuint(program), before);
+}
+
 TEST_F(RenewPrograms, UndoingAMistakeCompilesNothing) {
     const GLuint before = programs_.with();
     light("brightness");

@@ -193,6 +193,59 @@ TEST_F(Shaders, KnowTheUniformsTheyName) {
     EXPECT_EQ(source.names, (std::set<std::string>{"s_albedo", "u_old", "u_scale"}));
 }
 
+TEST_F(Shaders, HaveAReachedPartWithoutOtherFunctionsCommentsAndEmptyLines) {
+    const ShaderSource reached =
+        reached_source(load("#version 410 core\n"
+                            "// A comment.\n"
+                            "\n"
+                            "float half_of(float x) { return x / 2.0; } /* of two\n"
+                            "lines */ float unused(float x) {\n"
+                            "#ifdef MORE\n"
+                            "    x = half_of(x);\n"
+                            "#endif\n"
+                            "    return x;\n"
+                            "}\n"
+                            "float quarter_of(float x) { return half_of(half_of(x)); }\n"
+                            "void main() { quarter_of(1.0); }\n",
+                            {"NAME 1"}));
+    EXPECT_EQ(reached.text,
+              "#version 410 core\n#define NAME 1\n"
+              "float half_of(float x) { return x / 2.0; }\n"
+              "float quarter_of(float x) { return half_of(half_of(x)); }\n"
+              "void main() { quarter_of(1.0); }\n");
+    std::vector<int> lines;
+    for (const Place& place : reached.lines) lines.push_back(place.line);
+    EXPECT_EQ(lines, (std::vector<int>{1, 0, 4, 11, 12}));
+}
+
+TEST_F(Shaders, KeepInTheirReachedPartWhatAPreprocessorLineMayUse) {
+    const std::string text =
+        "#version 410 core\n"
+        "#define TWICE(x) \\\n"
+        "\\\n"
+        "    by_macro(by_macro(x))\n"
+        "float by_macro(float x) { return x; }\n"
+        "float by_definition(float x) { return x; }\n"
+        "float over(float x) { return x; }\n"
+        "float over(vec2 x) { return x.x; }\n"
+        "#ifdef FLAT\n"
+        "float either(float x)\n"
+        "#else\n"
+        "float either(vec2 x)\n"
+        "#endif\n"
+        "{ return 1.0; }\n"
+        "float with_macro(float x) {\n"
+        "#define INSIDE 1.0\n"
+        "return x;\n"
+        "}\n"
+        "void main() { over(INSIDE); }\n";
+    const ShaderSource source = load(text, {"CALL by_definition"});
+    EXPECT_EQ(reached_source(source).text, source.text);
+    EXPECT_EQ(reached_source(load(text)).text.find("by_definition"), std::string::npos);
+    const ShaderSource open = load("#version 410 core\nfloat f() { return 1.0; }\nvoid main() {\nfloat g() { {\n");
+    EXPECT_EQ(count(reached_source(open).text, "main"), 1) << "brackets that do not match";
+}
+
 TEST_F(Shaders, SurviveVeryLongNamesAndLines) {
     const std::string name = "u_" + std::string(1 << 20, 'x');
     EXPECT_EQ(load("#version 410 core\nuniform float " + name + ";\n").names.count(name), 1u);
