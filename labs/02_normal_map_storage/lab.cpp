@@ -95,7 +95,7 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const size_t count = shows_map() ? panels().size() : view_ == one ? 1 : storage::formats.size();
         const auto tiles = tiles_of(size, int(count), shows_errors() ? Labels::scale_height(size) : 0);
-        return view_ == blocks || view_ == snorm ? Labels::with_feet(size, tiles, 2) : tiles;
+        return view_ == blocks || view_ == snorm ? Labels::with_feet(size, tiles, 2, 42) : tiles;
     }
     bool shows_errors() const { return view_ != channels && view_ != field; }
     int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }

@@ -102,7 +102,8 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
         const int below = shows_error() ? Labels::scale_height(frame) : 0;
         if (settings_.view == Settings::one) return tiles_of(frame, 1, below);
-        return Labels::with_feet(frame, tiles_of(frame, int(Settings::filters.size()), below), shows_error() ? 2 : 1);
+        return Labels::with_feet(frame, tiles_of(frame, int(Settings::filters.size()), below), shows_error() ? 2 : 1,
+                                 24);
     }
     /// Paint has no formula.
     bool has_known_slope() const { return settings_.map.has_known_slope() && paint_.is_empty(); }

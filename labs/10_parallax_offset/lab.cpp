@@ -111,7 +111,7 @@ private:
         const bool wide = frame.size.x >= frame.size.y;
         const int columns = int(wide ? angles.size() : methods.size()),
                   rows = int(wide ? methods.size() : angles.size());
-        std::vector<Tile> tiles = Labels::with_feet(frame.size, tile_grid(frame.size, columns, rows, below), 2);
+        std::vector<Tile> tiles = Labels::with_feet(frame.size, tile_grid(frame.size, columns, rows, below), 2, 16);
         const int gap = std::min(frame.size.x, frame.size.y) / 160;
         std::vector<Sight> sights;
         for (int i = 0; i < int(tiles.size()); ++i) {

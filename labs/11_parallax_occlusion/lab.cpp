@@ -120,7 +120,7 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
         return Labels::with_feet(
-            size, tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size)), 3);
+            size, tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size)), 3, 31);
     }
     Method method_of(size_t tile) const {
         if (view_ == compare) return comparisons[tile];

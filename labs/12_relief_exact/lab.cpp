@@ -104,7 +104,7 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
         if (view_ != compare) return tiles_of(size, 1, below);
-        return Labels::with_feet(size, tiles_of(size, exact_methods, below), costs_ ? 3 : 2);
+        return Labels::with_feet(size, tiles_of(size, exact_methods, below), costs_ ? 3 : 2, 16);
     }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
 

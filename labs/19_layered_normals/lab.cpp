@@ -58,7 +58,7 @@ private:
                   std::span<const char* const> names,
                   const std::function<void(const Frame&, int method, const Define& purpose)>& draw) {
         const auto tiles =
-            Labels::with_feet(frame.size, tile_grid(frame.size, 3, 2, Labels::scale_height(frame.size)), 2);
+            Labels::with_feet(frame.size, tile_grid(frame.size, 3, 2, Labels::scale_height(frame.size)), 2, 25);
         labels_.scale(frame.size, "0~", fmt::format("{:.0f}~", error_scale));
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw(part, methods[i], "ERROR"); });
@@ -81,7 +81,7 @@ private:
         const int count = int(Settings::filters.size());
         const bool is_wide = frame.size.x >= frame.size.y;  // else no name fits into a fifth of the width
         const auto tiles =
-            Labels::with_feet(frame.size, tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count), 1);
+            Labels::with_feet(frame.size, tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count), 1, 12);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw_wall(part, Settings::pd, int(i), ""); });
             labels_.caption(frame.size, tiles[i], 0, Settings::filters.names[i]);

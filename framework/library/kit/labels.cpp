@@ -58,9 +58,15 @@ void Labels::add_in_tile(glm::ivec2 size, const Tile& tile, PictureWord word) {
     add(std::move(word));
 }
 
-std::vector<Tile> Labels::with_feet(glm::ivec2 size, std::vector<Tile> tiles, int lines) {
+std::vector<Tile> Labels::with_feet(glm::ivec2 size, std::vector<Tile> tiles, int captions, int longest) {
+    // The window's letters are wider (their mean width in heights, with the plate) and higher, where both are smallest.
+    constexpr float widest_letter = 0.65f, highest_letter = 1.12f;
+
     for (Tile& tile : tiles) {
-        tile.foot = std::min(tile.size.y / 2, int(foot_height(float(tile.size.y), lines, letters(size))));
+        const bool is_narrow = widest_letter * least_letters * float(longest) > float(tile.size.x);
+        const int lines = captions * (is_narrow ? 2 : 1);
+        const float foot = highest_letter * foot_height(float(tile.size.y), lines, letters(size));
+        tile.foot = std::min(tile.size.y / 2, int(foot));
         tile.corner.y += tile.foot, tile.size.y -= tile.foot;
     }
     return tiles;

@@ -31,9 +31,10 @@ public:
     /// the text at its left, its middle or its right.
     void text(const std::string& text, glm::vec2 place, float height, Align align = Align::left,
               glm::vec3 color = {0.93f, 0.92f, 0.89f});
-    /// Returns the tiles with their lower ends cut off: a strip of so many lines for the captions of each tile, at most
-    /// half of it. For small tiles, whose pictures captions would hide.
-    static std::vector<Tile> with_feet(glm::ivec2 size, std::vector<Tile> tiles, int lines);
+    /// Returns the tiles with their lower ends cut off: a strip for so many captions below the picture of each tile, at
+    /// most half of it. Tiles that are too narrow for a caption of `longest` letters have two lines for each. For small
+    /// tiles, whose pictures captions would hide.
+    static std::vector<Tile> with_feet(glm::ivec2 size, std::vector<Tile> tiles, int captions, int longest);
 
     /// Adds text in the middle of a tile: line 0 is its title, -1 the last line. The captions of a tile with a foot are
     /// in the foot.

@@ -31,9 +31,10 @@ struct Line {
 float side_of(float height) { return 0.25f * height; }
 float step_of(float height) { return std::round(1.25f * height); }
 
-/// Returns the height of a title or of another caption in a tile `high` pixels high, if it has the room.
-float caption_height(float high, bool is_title, const Letters& letters) {
-    const float title = std::clamp(0.09f * high, letters.least, letters.usual);
+/// Returns the height of a title or of another caption in a tile `high` pixels high, if it has the room. A foot takes
+/// its height from the picture, so its letters are smaller than those over a picture.
+float caption_height(float high, bool is_title, bool has_foot, const Letters& letters) {
+    const float title = std::clamp((has_foot ? 0.065f : 0.09f) * high, letters.least, letters.usual);
     return std::max(letters.least, is_title ? title : 0.8f * title);
 }
 
@@ -197,7 +198,8 @@ private:
             const float share = tile.foot > 0 ? std::min(1.0f, tile.foot / needed) : 1;
             for (const size_t i : tile.captions) {
                 const bool is_title = words_[i].line == 0;
-                const float high = std::max(letters_.least, share * caption_height(tile.size.y, is_title, letters_));
+                const float high =
+                    std::max(letters_.least, share * caption_height(tile.size.y, is_title, tile.foot > 0, letters_));
                 const float wide = width(words_[i].text, high), room = room_of(words_[i], high);
                 const float fitting = wide > room ? high * room / wide : high;
                 float& height = height_[is_title ? 0 : 1];
@@ -319,7 +321,7 @@ private:
 }  // namespace
 
 float foot_height(float high, int lines, const Letters& letters) {
-    const auto step = [&](bool is_title) { return step_of(caption_height(high, is_title, letters)); };
+    const auto step = [&](bool is_title) { return step_of(caption_height(high, is_title, true, letters)); };
     return step(true) + float(lines - 1) * step(false) + 0.5f * letters.least;
 }
 
