@@ -269,7 +269,7 @@ std::vector<glm::vec3> normals_in_tile(const Image& probe, size_t tile) {
 }
 
 TEST(NormalMapTextures, OfSignedBytesAreReadWithoutTheRuleOfUnsignedOnes) {
-    Shot shot = shot_of("02", {{"view", "snorm"}}, "normal", {320, 320});
+    Shot shot = shot_of("02", {{"view", "snorm"}}, "normal", {320, 321});
     shot.camera = {.yaw = 0, .pitch = 0, .distance = 4};
     const Image probe = drawn("02", shot);
     const auto unsigned_bytes = normals_in_tile(probe, 0), as_read = normals_in_tile(probe, 1),
