@@ -93,16 +93,19 @@ std::optional<MistakeRiddle> riddle_of(MistakePictures& pictures, const LabEntry
                                                               : Image());
         }
         std::optional<MistakeRiddle> best;
-        double most_changed = 0;
+        double best_weight = 0;
         for (size_t view = 0; view < views.size(); ++view)
             for (size_t asked = 0; asked < mistakes.size() && mistakes[asked]->task == task.id; ++asked) {
                 const auto& [right, wrong] = std::tie(drawn[view].right, drawn[view].pictures[asked]);
-                if (wrong.values.empty() || contrast_of(wrong) < min_contrast) continue;
+                if (wrong.values.empty()) continue;
+                const double contrast = contrast_of(wrong);
+                if (contrast < min_contrast) continue;
                 const double changed = double(difference(right, wrong, distinct_change).pixels_over) /
                                        double(std::max<size_t>(1, right.pixel_count()));
                 std::vector<size_t> choices = choices_beside(asked, right, drawn[view].pictures, hints);
-                if (choices.empty() || changed <= most_changed) continue;
-                most_changed = changed;
+                const double weight = changed * contrast;  // two even squares of other greys say little
+                if (choices.empty() || weight <= best_weight) continue;
+                best_weight = weight;
                 std::mt19937 dice = dice_of(task.id);
                 shuffle(choices, dice);
                 best =
