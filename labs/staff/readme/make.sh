@@ -17,30 +17,19 @@ exec "$(dirname "$0")/bin/relief" "$@"
 END
 chmod +x "$course/relief"
 
-# Prints a command as a user types it, and its output on a terminal with colours.
-show() { # command
+# Prints a command as a user types it, and the first lines of its output on a terminal with colours.
+columns=122
+show() { # command, lines
   printf '$ %s\n' "$1"
-  (cd "$course" && TERM=xterm script -qec "$1" /dev/null </dev/null | tr -d '\r' | head -n "$2") || true
+  (cd "$course" && TERM=xterm script -qec "stty cols $columns; $1" /dev/null </dev/null | tr -d '\r' | head -n "$2") || true
   echo
 }
 
 # Turns lines into an SVG in which they appear one after the other. All of them stand there without animations.
 as_svg() {
   perl -e '
-    my ($columns, $letter, $step, $edge) = (122, 8, 19, 16);
-    my @lines;
-    while (my $line = <STDIN>) {
-      chomp $line;
-      my $room = $columns;  # colours take none
-      my ($indent) = $line =~ /^( *)/;
-      $room += length $1 while $line =~ /(\e\[[0-9;]*m)/g;
-      for (; length $line > $room; $room = $columns) {
-        my $end = rindex $line, " ", $room;
-        push @lines, substr $line, 0, $end;
-        $line = $indent . substr $line, $end + 1;
-      }
-      push @lines, $line;
-    }
+    my ($columns, $letter, $step, $edge) = (shift, 8, 19, 16);
+    chomp(my @lines = <STDIN>);
     pop @lines while @lines && $lines[-1] =~ /^\s*$/;
     my ($wide, $high) = ($columns * $letter + 2 * $edge, @lines * $step + 2 * $edge);
     print qq{<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 $wide $high" font-family="ui-monospace, },
@@ -69,7 +58,7 @@ as_svg() {
       $at += 0.8 if $typed;
     }
     print "</svg>\n";
-  '
+  ' "$columns"
 }
 
 # Writes a picture of the screen as PNG.
@@ -121,6 +110,6 @@ picture_of_window window_error_map.png "$seconds" '' 11 --set view=one --error-m
 sed -i 's|code / 255.0 \* 2.0 - 1.0|code / 256.0 * 2.0 - 1.0|' "$course/shaders/02_normal_map_storage/task.glsl"
 picture_of_window window_check.png "$seconds" '' 02 --check 'three bytes and back'
 {
-  show './relief check 02' 7
+  show './relief check 02' 8
   show "$(cd "$course" && ./relief check 02 | grep -om1 './relief explain .*')" 12 # of the worst pixel
 } | as_svg >"$here/terminal.svg"
