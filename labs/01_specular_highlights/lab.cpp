@@ -9,6 +9,7 @@
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/choices.h"
 #include "framework/library/kit/culling.h"
+#include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/tiles.h"
 #include "framework/library/mesh/shapes.h"
@@ -29,11 +30,16 @@ public:
             case normal_map:
                 draw_scene(frame, {0, 0}, size, method_ == normal_map);
                 break;
-            case side_by_side:
-                draw_scene(frame, {0, 0}, {size.x / 2, size.y}, false);
-                draw_scene(frame, {size.x / 2, 0}, {size.x - size.x / 2, size.y}, true);
+            case side_by_side: {
+                const std::vector<Tile> tiles = tiles_side_by_side(size);
+                for (const int with_map : {0, 1}) {
+                    const Tile& tile = tiles[size_t(with_map)];
+                    draw_scene(frame, tile.corner, tile.size, with_map == 1);
+                    labels_.caption(size, tile, 0, with_map == 1 ? "normal map" : "vertex normals");
+                }
                 draw_line(frame, size.x / 2);
                 break;
+            }
             case wipe:  // one scene drawn twice, into two parts of the window
                 glEnable(GL_SCISSOR_TEST);
                 glScissor(0, 0, split, size.y);
@@ -43,6 +49,7 @@ public:
                 draw_line(frame, split);
                 break;
         }
+        labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
@@ -65,7 +72,8 @@ public:
     std::optional<Image> truth(const Frame& frame) const override {
         const auto of = [&](const Frame& view) { return colonnade::truth(view, strength_); };
         if (method_ != side_by_side) return of(frame);
-        return truth_in_tiles(frame, tile_grid(frame.size, 2, 1), [&](const Frame& view, size_t) { return of(view); });
+        return truth_in_tiles(frame, tiles_side_by_side(frame.size),
+                              [&](const Frame& view, size_t) { return of(view); });
     }
 
 private:
@@ -78,6 +86,10 @@ private:
                                                              {chiang, "chiang", "TERMINATOR_CHIANG"},
                                                              {schuessler, "schuessler", "TERMINATOR_SCHUESSLER"}});
     static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
+
+    static std::vector<Tile> tiles_side_by_side(glm::ivec2 size) {
+        return Labels::with_feet(size, tile_grid(size, 2, 1), 1, 16);
+    }
 
     /// Draws the scene. `shown` is the range of pixel columns that the scissor leaves; columns and balls outside of it
     /// are culled.
@@ -137,6 +149,7 @@ private:
     }
 
     Programs surface_{"01_specular_highlights/surface.vert", "01_specular_highlights/surface.frag"};
+    Labels labels_;
     Texture bricks_albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture bricks_normal_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Texture paving_normal_ = load_texture("paving_normal.png", ColorSpace::linear);

@@ -16,7 +16,7 @@ void MaskLevels::draw(const Frame& frame, Labels& labels, int alpha, float thres
                               std::string("alpha")};
     const int rows = frame.probe ? 1 : int(names.size());
     std::vector<Tile> tiles = tile_grid(frame.size, levels_shown, rows);
-    if (!frame.probe) tiles = Labels::with_feet(frame.size, tiles, 2, 16);
+    if (!frame.probe) tiles = Labels::with_feet(frame.size, tiles, 2, 14);
     for (size_t i = 0; i < tiles.size(); ++i) {
         const Tile& tile = tiles[i];
         if (tile.size.x <= 0 || tile.size.y <= 0) continue;

@@ -103,7 +103,9 @@ private:
         }
         if (view_ == eye) {
             std::vector<Sight> sights;
-            for (const Tile& tile : tiles_of(frame.size, eye_ == 0 ? int(eyes.size()) - 1 : 1))
+            std::vector<Tile> tiles = tiles_of(frame.size, eye_ == 0 ? int(eyes.size()) - 1 : 1);
+            if (eye_ == 0) tiles = Labels::with_feet(frame.size, tiles, 3, 25);
+            for (const Tile& tile : tiles)
                 sights.push_back(
                     {tile, frame_in(frame, tile), steep, 0, offsets::EyeBy(eye_ == 0 ? int(sights.size()) : eye_ - 1)});
             return sights;

@@ -92,7 +92,9 @@ private:
         return mesh;
     }
 
-    std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        return view_ == both ? Labels::with_feet(size, tiles_of(size, 2), 2, 31) : tiles_of(size, 1);
+    }
 
     const MapErrors& map_errors() const {
         return map_errors_.get({surface_.version()},

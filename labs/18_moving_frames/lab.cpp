@@ -71,16 +71,22 @@ private:
     /// The skin of the first body: a probe, or its errors.
     void draw_unrolled(const Frame& frame) {
         const Scene scene = scene_of(settings_, settings_.body());
-        const Define shows = frame.probe ? Define(frame.probe) : "ERROR";
-        draw_first(frame, scene, {.way = settings_.way, .shows = shows, .unrolled = true});
-        if (!frame.probe) describe(frame.size, {{0, 0}, frame.size}, scene, settings_.way);
+        if (frame.probe)
+            return draw_first(frame, scene, {.way = settings_.way, .shows = frame.probe, .unrolled = true});
+        const auto tiles = tiles_of(frame.size, 1, Labels::scale_height(frame.size));
+        const Tile tile = Labels::with_feet(frame.size, tiles, settings_.folds ? 3 : 2, 24)[0];
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        draw_first(frame_in(frame, tile), scene, {.way = settings_.way, .shows = "ERROR", .unrolled = true});
+        describe(frame.size, tile, scene, settings_.way);
+        if (settings_.folds) labels_.legend(frame.size, tile, "folds over itself", {0.10f, 0.72f, 0.95f});
+        add_error_scale(frame);
     }
 
     /// Four normals of a tube, each under striped light and with its errors.
     void draw_four_ways(const Frame& frame) {
         const Scene scene = scene_of(settings_, tube);
         const auto tiles = tile_grid(frame.size, 2, 2, Labels::scale_height(frame.size));
-        labels_.scale(frame.size, "0~", "30~");  // error_scale of serpent.frag
+        add_error_scale(frame);
         for (int way = 0; way < 4; ++way) {
             const Tile& tile = tiles[size_t(way)];
             const glm::ivec2 half(tile.size.x / 2, tile.size.y);
@@ -99,6 +105,10 @@ private:
         part.camera = Camera(orbit, double(tile.size.x) / tile.size.y);
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         draw_first(part, scene, purpose);
+    }
+
+    void add_error_scale(const Frame& frame) {
+        labels_.scale(frame.size, "0~", "30~");  // error_scale of serpent.frag
     }
 
     void describe(glm::ivec2 size, const Tile& tile, const Scene& scene, int way) {

@@ -115,7 +115,7 @@ void Labels::scale(glm::ivec2 size, const std::string& low, const std::string& h
          .place = {(float(size.x) - length) / 2, float(size.y) - line * 1.1f},
          .size = {length, line * 0.8f},
          .text = low,
-         .end = high,
+         .end = high + " and more",  // what is above has the last colour, too
          .parts = parts});
 }
 

@@ -209,8 +209,8 @@ private:
     }
 
     void place_tile(const TileWords& tile) {
-        const float end = std::min(tile.place.y + tile.size.y, foot_), foot = tile.place.y + tile.size.y - tile.foot;
-        float bottom = place_legend(tile, tile.foot > 0 ? foot : end);
+        const float end = std::min(tile.place.y + tile.size.y, foot_);
+        float bottom = place_legend(tile, end);
         // Lines of each caption, and those that have room.
         std::vector<std::vector<Line>> lines;
         std::vector<bool> has_room;
@@ -224,7 +224,7 @@ private:
             lines.push_back(std::move(own));
         }
         float top = tile.place.y;
-        if (tile.foot > 0) top = foot, bottom = std::max(foot, end);
+        if (tile.foot > 0) top = std::min(end, tile.place.y + tile.size.y - tile.foot), bottom = std::max(top, bottom);
         float left = bottom - top - 0.5f * letters_.least;
         for (const size_t k : by_importance(tile)) {
             float high = 0;
