@@ -137,7 +137,8 @@ json Browser::eval(const std::string& expression) {
 }
 
 json Browser::wait_for(const std::string& expression) {
-    for (int i = 0; i < 1200; ++i) {
+    // The checks of lab 10 take 20 seconds alone, and minutes beside three other programs on two processors.
+    for (int i = 0; i < 6000; ++i) {
         const json value = eval("(() => { const value = " + expression + "; return value || null; })()");
         if (!value.is_null()) return value;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
