@@ -412,7 +412,8 @@ TEST_F(Window, TheCameraTurnsUntilItIsStopped) {
 TEST_F(Window, ASliderRunsAfterARightClickUntilEscape) {
     open("20");
     const size_t still = frames().size();
-    // The sliders stand one below the other; the exact places depend on the panel. A second click would stop the slider.
+    // The sliders stand one below the other; the exact places depend on the panel. A second click would stop the
+    // slider.
     for (int y = 90; y < 300 && frames().size() == still; y += 8) {
         run({"xdotool", "mousemove", "270", std::to_string(y), "click", "3"}, where_);
         std::this_thread::sleep_for(300ms);
