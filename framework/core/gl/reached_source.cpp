@@ -26,6 +26,12 @@ struct Parsed {
     std::set<std::string> words;  ///< outside of functions
 };
 
+/// Puts blanks in place of a range of the text, but for its line ends.
+void blank_out(std::string& text, size_t begin, size_t end) {
+    std::replace_if(
+        text.begin() + ptrdiff_t(begin), text.begin() + ptrdiff_t(end), [](char c) { return c != '\n'; }, ' ');
+}
+
 void note_directive(Function& function, const CodeToken& directive) {
     const std::vector<CodeToken> words = tokens_of_directive(directive);
     const std::string name = words.size() < 2 ? "" : words[1].text;
@@ -46,9 +52,7 @@ Parsed parse(const std::string& text) {
         const bool is_inside = function != parsed.functions.end() && token.begin >= function->begin;
         std::set<std::string>& words = is_inside ? function->words : parsed.words;
         if (token.kind == CodeToken::comment)
-            for (size_t at = token.begin; at < token.end; ++at) {
-                if (text[at] != '\n') parsed.text[at] = ' ';
-            }
+            blank_out(parsed.text, token.begin, token.end);
         else if (token.kind == CodeToken::word)
             words.insert(token.text);
         else if (token.kind == CodeToken::directive) {
@@ -114,10 +118,7 @@ ShaderSource reached_source(const ShaderSource& source) {
     const std::vector<bool> reached = reached_of(body, roots);
     std::string text = body.text;
     for (size_t i = 0; i < reached.size(); ++i)
-        if (const Function& function = body.functions[i]; !reached[i])
-            for (size_t at = function.begin; at < function.end; ++at) {
-                if (text[at] != '\n') text[at] = ' ';
-            }
+        if (!reached[i]) blank_out(text, body.functions[i].begin, body.functions[i].end);
     bool is_joined = false;  // the line before ends in a backslash
     for (size_t at = 0; at < text.size(); ++line) {
         const size_t end = std::min(text.find('\n', at), text.size());

@@ -34,12 +34,11 @@ List tiles_of_captions(std::span<const PictureWord> words) {
         std::vector<PictureWord> lines;
         for (const PictureWord& word : captions)
             if (same_tile(word, captions[i])) lines.push_back(word);
-        std::stable_sort(lines.begin(), lines.end(),
-                         [](const PictureWord& a, const PictureWord& b) { return a.line < b.line; });
-        // The foot of a tile has its captions from the title to the last line: 0, 1, ..., -2, -1.
+        // From the top: 0, 1, ..., -2, -1.
+        std::stable_sort(lines.begin(), lines.end(), [](const PictureWord& a, const PictureWord& b) {
+            return unsigned(a.line) < unsigned(b.line);
+        });
         const bool has_foot = lines.front().foot > 0;
-        if (has_foot)
-            std::stable_partition(lines.begin(), lines.end(), [](const PictureWord& word) { return word.line >= 0; });
         List top, bottom, legend;
         for (const PictureWord& word : lines) {
             const std::string color = color_of(word.color);
