@@ -29,8 +29,8 @@ ShaderSource load_shader_text(const std::string& text, const std::filesystem::pa
 
 /// Returns the source without the functions that main() does not reach, without comments and empty lines, with the
 /// place of each line that is left. A driver keeps compiled programs by their text, so a change of one function
-/// compiles only the programs that use it. A name in a preprocessor line counts as used. Code that parse_glsl() does
-/// not understand stays.
+/// compiles only the programs that name it. A name counts in every branch of an #if, and in a preprocessor line. Code
+/// that parse_glsl() does not understand stays.
 ShaderSource reached_source(const ShaderSource& source);
 
 /// Returns the names in a text's own #include lines, as written. Skips malformed lines.

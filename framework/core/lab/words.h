@@ -11,8 +11,8 @@ namespace relief {
 struct PictureWord {
     enum class Kind {
         caption,  ///< a line in the middle of a tile, or in the strip below it; place and size are the tile's
-        legend,   ///< a colour and its name, in the strip at the foot of a tile; place and size are the tile's
-        note,     ///< a sentence at the foot of the picture
+        legend,   ///< a colour and its name, in the strip at the lower end of a tile; place and size are the tile's
+        note,     ///< a sentence at the lower end of the picture
         text,     ///< `anchor` says which point of the text is at place.x; size.y is its height
         box,
         scale  ///< heat colours from `text` on the left to `end` on the right

@@ -40,7 +40,7 @@ public:
     /// in the foot.
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
                  glm::vec3 color = {0.93f, 0.92f, 0.89f});
-    /// Adds a colour and its name to the strip at the foot of a tile. Another `row` begins a row of the strip.
+    /// Adds a colour and its name to the strip at the lower end of a tile. Another `row` begins a row of the strip.
     void legend(glm::ivec2 size, const Tile& tile, const std::string& text, glm::vec3 color, int row = 0);
     /// Adds notes about files along the lower edge. If they do not fit into half of the picture, the last line counts
     /// the others.
