@@ -1,20 +1,20 @@
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "framework/core/base/code_text.h"
+#include "framework/core/base/conditions.h"
 #include "framework/core/gl/shader_source.h"
 
 namespace relief {
 namespace {
 
+using Range = std::pair<size_t, size_t>;
+
 struct Function {
     size_t begin, end;
-    std::string name;
-    std::set<std::string> words = {};
     int open_conditions = 0;  ///< #if lines without their #endif
     bool is_whole = true;     ///< neither defines macros nor begins or ends inside of an #if
 };
@@ -23,7 +23,17 @@ struct Function {
 struct Parsed {
     std::string text;  ///< with blanks in place of comments
     std::vector<Function> functions;
-    std::set<std::string> words;  ///< outside of functions
+    std::vector<Directive> directives;
+    /// A word, also in a directive, with its place and the function around it; -1 outside of functions.
+    struct Word {
+        size_t at;
+        int name, function;
+    };
+    std::vector<Word> words;
+    std::map<std::string, int, std::less<>> names;    ///< numbers of the words
+    std::vector<std::vector<size_t>> functions_of{};  ///< by the number of their name
+
+    int number_of(const std::string& word) { return names.try_emplace(word, int(names.size())).first->second; }
 };
 
 /// Puts blanks in place of a range of the text, but for its line ends.
@@ -32,8 +42,7 @@ void blank_out(std::string& text, size_t begin, size_t end) {
         text.begin() + ptrdiff_t(begin), text.begin() + ptrdiff_t(end), [](char c) { return c != '\n'; }, ' ');
 }
 
-void note_directive(Function& function, const CodeToken& directive) {
-    const std::vector<CodeToken> words = tokens_of_directive(directive);
+void note_directive(Function& function, const std::vector<CodeToken>& words) {
     const std::string name = words.size() < 2 ? "" : words[1].text;
     if (name.starts_with("if")) ++function.open_conditions;
     if (name == "endif") --function.open_conditions;
@@ -43,24 +52,31 @@ void note_directive(Function& function, const CodeToken& directive) {
 }
 
 Parsed parse(const std::string& text) {
-    Parsed parsed{.text = text, .functions = {}, .words = {}};
-    for (const GlslFunction& function : parse_glsl(text).functions)
-        parsed.functions.push_back({.begin = function.begin, .end = function.end, .name = function.name});
-    auto function = parsed.functions.begin();
+    Parsed parsed{.text = text, .functions = {}, .directives = {}, .words = {}, .names = {}};
+    const GlslText glsl = parse_glsl(text);
+    for (const GlslFunction& function : glsl.functions)
+        parsed.functions.push_back({.begin = function.begin, .end = function.end});
+    size_t next = 0;
     for (const CodeToken& token : all_tokens(text)) {
-        while (function != parsed.functions.end() && token.begin >= function->end) ++function;
-        const bool is_inside = function != parsed.functions.end() && token.begin >= function->begin;
-        std::set<std::string>& words = is_inside ? function->words : parsed.words;
+        while (next < parsed.functions.size() && token.begin >= parsed.functions[next].end) ++next;
+        const bool is_inside = next < parsed.functions.size() && token.begin >= parsed.functions[next].begin;
+        const auto note = [&](const std::string& word) {
+            parsed.words.push_back({token.begin, parsed.number_of(word), is_inside ? int(next) : -1});
+        };
         if (token.kind == CodeToken::comment)
             blank_out(parsed.text, token.begin, token.end);
         else if (token.kind == CodeToken::word)
-            words.insert(token.text);
+            note(token.text);
         else if (token.kind == CodeToken::directive) {
-            if (is_inside) note_directive(*function, token);
-            for (const CodeToken& word : tokens_of_directive(token)) words.insert(word.text);
+            parsed.directives.push_back({token.begin, token.end, tokens_of_directive(token)});
+            if (is_inside) note_directive(parsed.functions[next], parsed.directives.back().tokens);
+            for (const CodeToken& word : parsed.directives.back().tokens) note(word.text);
         }
     }
     for (Function& each : parsed.functions) each.is_whole &= each.open_conditions == 0;
+    parsed.functions_of.resize(parsed.names.size());
+    for (size_t i = 0; i < glsl.functions.size(); ++i)
+        parsed.functions_of[size_t(parsed.number_of(glsl.functions[i].name))].push_back(i);
     return parsed;
 }
 
@@ -74,22 +90,40 @@ const Parsed& parsed(const std::string& text) {
     return texts.emplace(text, parse(text)).first->second;
 }
 
-/// Returns for each function whether it is reached from main() or from `roots`, by name.
-std::vector<bool> reached_of(const Parsed& parsed, const std::set<std::string>& roots) {
-    std::vector<bool> reached(parsed.functions.size());
-    std::vector<const std::set<std::string>*> left = {&roots, &parsed.words};
-    const auto reach = [&](size_t i) {
-        if (reached[i]) return;
-        reached[i] = true;
-        left.push_back(&parsed.functions[i].words);
+/// Returns for each function whether main(), the text outside of functions or `roots` reach it, by name. Words in the
+/// ranges `out` do not count.
+std::vector<bool> reached_of(const Parsed& parsed, const std::vector<std::string>& roots,
+                             const std::vector<Range>& out) {
+    std::vector<std::vector<int>> named(parsed.functions.size());
+    std::vector<bool> is_named(parsed.names.size()), reached(parsed.functions.size());
+    std::vector<int> left;
+    const auto name = [&](int word) {
+        if (is_named[size_t(word)]) return;
+        is_named[size_t(word)] = true;
+        left.push_back(word);
     };
+    auto range = out.begin();
+    for (const auto& [at, word, function] : parsed.words) {
+        while (range != out.end() && at >= range->second) ++range;
+        if (range != out.end() && at >= range->first) continue;
+        if (function >= 0)
+            named[size_t(function)].push_back(word);
+        else
+            name(word);
+    }
+    const auto reach = [&](size_t function) {
+        if (reached[function]) return;
+        reached[function] = true;
+        for (const int word : named[function]) name(word);
+    };
+    for (const std::string& root : roots)
+        if (const auto found = parsed.names.find(root); found != parsed.names.end()) name(found->second);
     for (size_t i = 0; i < parsed.functions.size(); ++i)
-        if (parsed.functions[i].name == "main" || !parsed.functions[i].is_whole) reach(i);
+        if (!parsed.functions[i].is_whole) reach(i);
     while (!left.empty()) {
-        const std::set<std::string>& words = *left.back();
+        const int word = left.back();
         left.pop_back();
-        for (size_t i = 0; i < parsed.functions.size(); ++i)
-            if (words.contains(parsed.functions[i].name)) reach(i);
+        for (const size_t function : parsed.functions_of[size_t(word)]) reach(function);
     }
     return reached;
 }
@@ -100,23 +134,29 @@ ShaderSource reached_source(const ShaderSource& source) {
     ShaderSource result{.stage = source.stage, .text = {}, .lines = {}, .names = source.names};
     // The definitions follow the first line.
     size_t line = 0, begin = 0;
-    std::set<std::string> roots;
+    std::vector<std::string> roots = {"main"};
+    Macros macros;
     const auto is_definition = [&] {
         return line == 0 || (line < source.lines.size() && source.lines[line].file.empty());
     };
     for (; is_definition(); ++line) {
         const size_t end = source.text.find('\n', begin);
         if (end == std::string::npos) return source;
-        for (const CodeToken& token : all_tokens(source.text.substr(begin, end + 1 - begin)))
-            for (const CodeToken& word : tokens_of_directive(token)) roots.insert(word.text);
+        for (const CodeToken& token : all_tokens(source.text.substr(begin, end + 1 - begin))) {
+            const std::vector<CodeToken> words = tokens_of_directive(token);
+            define(macros, words);
+            for (const CodeToken& word : words) roots.push_back(word.text);
+        }
         begin = end + 1;
         result.lines.push_back(source.lines.empty() ? Place{} : source.lines[line]);
     }
     result.text = source.text.substr(0, begin);
 
     const Parsed& body = parsed(source.text.substr(begin));
-    const std::vector<bool> reached = reached_of(body, roots);
+    const std::vector<Range> out = left_out(body.directives, std::move(macros)).value_or(std::vector<Range>());
+    const std::vector<bool> reached = reached_of(body, roots, out);
     std::string text = body.text;
+    for (const auto& [from, to] : out) blank_out(text, from, to);
     for (size_t i = 0; i < reached.size(); ++i)
         if (!reached[i]) blank_out(text, body.functions[i].begin, body.functions[i].end);
     bool is_joined = false;  // the line before ends in a backslash

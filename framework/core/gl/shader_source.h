@@ -27,10 +27,10 @@ ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<s
 ShaderSource load_shader_text(const std::string& text, const std::filesystem::path& stage,
                               const std::vector<std::string>& defines);
 
-/// Returns the source without the functions that main() does not reach, without comments and empty lines, with the
-/// place of each line that is left. A driver keeps compiled programs by their text, so a change of one function
-/// compiles only the programs that name it. A name counts in every branch of an #if, and in a preprocessor line. Code
-/// that parse_glsl() does not understand stays.
+/// Returns the source without the functions that main() does not reach, without what its #if lines leave out
+/// (base/conditions.h), without comments and empty lines, with the place of each line that is left. A driver keeps
+/// compiled programs by their text, so a change of one function compiles only the programs that use it. A name in any
+/// other preprocessor line counts. Code that parse_glsl() does not understand stays.
 ShaderSource reached_source(const ShaderSource& source);
 
 /// Returns the names in a text's own #include lines, as written. Skips malformed lines.

@@ -1,4 +1,4 @@
-// The interface of a lab. A lab includes this file and nothing above it.
+// The interface of a lab. Of this room, a lab includes this file alone.
 #pragma once
 
 #include <glm/glm.hpp>

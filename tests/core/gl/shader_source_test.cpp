@@ -239,11 +239,33 @@ TEST_F(Shaders, KeepInTheirReachedPartWhatAPreprocessorLineMayUse) {
         "return x;\n"
         "}\n"
         "void main() { over(INSIDE); }\n";
-    const ShaderSource source = load(text, {"CALL by_definition"});
-    EXPECT_EQ(reached_source(source).text, source.text);
+    ShaderSource source = load(text, {"CALL by_definition"});
+    std::string expected = source.text;
+    const std::string left_out = "float either(float x)\n";
+    expected.erase(expected.find(left_out), left_out.size());
+    EXPECT_EQ(reached_source(source).text, expected);
     EXPECT_EQ(reached_source(load(text)).text.find("by_definition"), std::string::npos);
     const ShaderSource open = load("#version 410 core\nfloat f() { return 1.0; }\nvoid main() {\nfloat g() { {\n");
     EXPECT_EQ(count(reached_source(open).text, "main"), 1) << "brackets that do not match";
+}
+
+TEST_F(Shaders, HaveAReachedPartWithoutWhatTheirDefinitionsLeaveOut) {
+    const std::string text =
+        "#version 410 core\n"
+        "float near_of(float x) { return x; }\n"
+        "float far_of(float x) { return -x; }\n"
+        "void main() {\n"
+        "#ifdef FAR\n"
+        "    far_of(1.0);\n"
+        "#else\n"
+        "    near_of(1.0);\n"
+        "#endif\n"
+        "}\n";
+    const std::string far_text = reached_source(load(text, {"FAR"})).text, near_text = reached_source(load(text)).text;
+    EXPECT_EQ(far_text.find("near_of"), std::string::npos) << far_text;
+    EXPECT_EQ(count(far_text, "far_of"), 2) << far_text;
+    EXPECT_EQ(near_text.find("far_of"), std::string::npos) << near_text;
+    EXPECT_EQ(count(near_text, "near_of"), 2) << near_text;
 }
 
 TEST_F(Shaders, SurviveVeryLongNamesAndLines) {
