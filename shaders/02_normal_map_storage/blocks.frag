@@ -98,7 +98,7 @@ void main() {
 #else
     vec2 block = tiles * size / 4.0, pixel = fwidth(block);
     if (cover > 0.0 && v_clip.x > u_split) {
-        color = heat((log2(max(error_degrees(texel), 1e-6)) / log2(10.0) + 3.0) / 4.0);
+        color = log_heat(error_degrees(texel), -3.0, 1.0);
         vec2 distance_ = abs(fract(block - 0.5) - 0.5) / max(pixel, vec2(1e-6));
         float line = 1.0 - smoothstep(0.4, 1.2, min(distance_.x, distance_.y));
         float room = 1.0 - smoothstep(0.1, 0.25, max(pixel.x, pixel.y));  // no lines where blocks are a few pixels

@@ -163,7 +163,7 @@ void main() {
             bool odd = mod(floor((gl_FragCoord.x + gl_FragCoord.y) / 6.0), 2.0) == 1.0;
             color = odd ? vec3(0.20, 0.21, 0.23) : vec3(0.16, 0.17, 0.19);
         } else if (v_clip.x > u_split) {
-            color = heat((log2(max(angle_degrees(result, normal), 1e-6)) / log2(10.0) + 3.0) / 4.0);
+            color = log_heat(angle_degrees(result, normal), -3.0, 1.0);
         } else {
             // A mirror among strips of light, since a reflection doubles the angular error of a normal.
             vec3 mirrored = reflect(direction, result), albedo = vec3(0.42, 0.15, 0.08);

@@ -48,7 +48,7 @@ void main() {
     if (v_uv.x > u_split * u_repeat) {
         vec3 a = texelFetch(s_normals, texel(), 0).xyz, b = texelFetch(s_truth, texel(), 0).xyz;
         float error = degrees(atan(length(cross(a, b)), dot(a, b)));
-        color = heat((log2(max(error, 1e-6)) / log2(10.0) + 3.0) / 4.0);
+        color = log_heat(error, -3.0, 1.0);
     } else
 #endif
     {

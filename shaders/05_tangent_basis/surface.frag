@@ -120,7 +120,7 @@ void main() {
 #else
         float error = degrees_between(tangent.xyz, exact_tangent());
 #endif
-        color = heat((log2(max(error, 1e-6)) / log2(10.0) + 2.0) / 4.0);
+        color = log_heat(error, -2.0, 2.0);
     } else {
         vec2 uv = v_uv * u_repeat;
         //(bumped

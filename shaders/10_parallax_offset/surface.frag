@@ -93,7 +93,7 @@ void main() {
 #ifdef MEASURE
     o_color = measured(vec4(texels, 0.0, 0.0, 0.0));
 #else
-    o_color = finished(vec4(heat((log2(max(texels, 1e-6)) / log2(10.0) + 2.0) / 4.0), 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(log_heat(texels, -2.0, 2.0), 1.0), gl_FragCoord.xy);
 #endif
 #else
     o_color = finished(vec4(srgb_from_linear(lit(mat3(tangent, bitangent, normal), to_eye, uv)), 1.0), gl_FragCoord.xy);

@@ -157,7 +157,7 @@ void main() {
 #elif defined MEASURE
     o_color = measured(vec4(off, float(heights_read), 0.0, -1.0));
 #elif defined ERROR
-    o_color = finished(vec4(heat((log2(max(off, 1e-6)) / log2(10.0) + 2.0) / 4.0), 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(log_heat(off, -2.0, 2.0), 1.0), gl_FragCoord.xy);
 #else
     vec3 stored = on_surface(s_normals, v_uv, uv).xyz * 2.0 - 1.0;
     vec3 relief = normalize(vec3(stored.xy * u_normal_strength, max(stored.z, 0.01)));

@@ -9,3 +9,8 @@ vec3 heat(float share) {
     color = mix(color, vec3(0.99, 0.65, 0.04), clamp(place - 3.0, 0.0, 1.0));
     return mix(color, vec3(0.99, 1.00, 0.65), clamp(place - 4.0, 0.0, 1.0));
 }
+
+// Returns the colour of a positive value on a logarithmic scale from 10^low to 10^high.
+vec3 log_heat(float value, float low, float high) {
+    return heat((log2(max(value, 1e-6)) / log2(10.0) - low) / (high - low));
+}
