@@ -7,8 +7,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/compare.h"
 #include "framework/core/lab/lab.h"
 #include "framework/library/kit/choices.h"
+#include "framework/library/kit/difference_map.h"
+#include "framework/library/kit/drawn_numbers.h"
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/labels.h"
 #include "framework/library/kit/light.h"
@@ -36,7 +40,9 @@ public:
                 frame_in(frame, tiles[i]), tiles[i], {double(shape()), double(own_mesh_.version())},
                 [this] { return mesh(); }, world_from_model(way));
             if (view_ != one) labels_.caption(frame.size, tiles[i], 0, way.title);
+            if (i > 0 && has_differences(frame.probe)) draw_difference(frame, tiles[i], i);
         }
+        if (has_differences(frame.probe)) labels_.scale(frame.size, "0.1~", "100~", 3);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -45,6 +51,9 @@ public:
         knobs.group("Picture");
         knobs.choice("view", view_, views,
                      "the right way and three mistakes, one picture by the knobs, or a cube that is turned");
+        knobs.choice("show", show_, shows,
+                     KnobHelp("half of each mistake as the angle to the right normal, or the light alone")
+                         .only("view", {"compare"}));
         knobs.choice_or_file(
             "shape", shape_, own_mesh_, shapes,
             KnobHelp("shape of the model; the wall's left half is mirrored").only("view", {"compare", "one"}));
@@ -118,11 +127,13 @@ private:
                                                          {"turned by 90 degrees", "", "", "", -90},
                                                          {"normals not turned", "", "MODEL_SPACE", "", -90}}};
     enum View { compare, one, turned };
+    enum Show { half_and_half, light };
     enum NormalsFrom { from_map, from_vertices };
     enum Map { bricks, one_texel, of_model, own };
     enum LightIn { world_space, tangent_space };
     enum Trouble { none, leaning, along_normal, missing };
     static constexpr std::array views = {"compare", "one", "turned"};
+    static constexpr std::array shows = {"half-and-half", "light"};
     static constexpr std::array shapes = {"sphere", "column", "wall"};
     static constexpr std::array sources = {"map", "vertices"};
     static constexpr std::array maps = {"bricks", "one-texel", "model"};
@@ -142,8 +153,11 @@ private:
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         constexpr std::array counts = {int(comparisons.size()), 1, int(turned_cubes.size())};
-        return tiles_of(size, counts[size_t(view_)]);
+        if (view_ != compare) return tiles_of(size, counts[size_t(view_)]);
+        const int below = show_ == half_and_half ? Labels::scale_height(size) : 0;
+        return Labels::with_feet(size, tiles_of(size, counts[compare], below), 2, 28);
     }
+    bool has_differences(const Probe& probe) const { return view_ == compare && show_ == half_and_half && !probe; }
 
     frames::Shape shape() const { return view_ == turned ? frames::Shape::cube : frames::Shape(shape_); }
     float turn() const { return view_ == turned ? 0 : turn_; }
@@ -189,6 +203,39 @@ private:
             glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
+    std::vector<double> inputs_of_normals() const {
+        return {double(shape_),
+                double(normals_from_),
+                double(map_),
+                double(trouble_),
+                double(order_),
+                strength_,
+                turn_,
+                rotate_,
+                scale_.x,
+                scale_.y,
+                scale_.z,
+                double(size_),
+                double(own_mesh_.version()),
+                double(own_.version())};
+    }
+
+    /// Shows on half of a mistake's tile how far its normals are from those of the right way, and writes their mean.
+    void draw_difference(const Frame& frame, const Tile& tile, size_t i) {
+        Frame numbers = frame_in(frame, tile);
+        numbers.probe = {"normal", MissingTask::told};
+        const auto draw = [&](const Frame& part, const Way& way) { draw_surface(part, {{0, 0}, part.size}, way); };
+        difference_.draw(
+            frame, tile, tile.size.x / 2, [&] { draw(numbers, comparisons[i]); },
+            [&] { draw(numbers, comparisons[0]); });
+        const ErrorSummary& off = off_[i].get({inputs_of_normals(), frame.camera.orbit(), surface_.renewals()}, [&] {
+            Frame small = frame_in(numbers, {{0, 0}, {128, 128}});
+            const auto normals = [&](const Way& way) { return draw_numbers(small.size, [&] { draw(small, way); }); };
+            return summarize(error_image(normals(comparisons[i]), normals(comparisons[0]), ErrorMetric::angle));
+        });
+        if (off.count > 0) labels_.caption(frame.size, tile, -1, fmt::format("{}~ off", rounded(off.mean)));
+    }
+
     Mesh mesh() const {
         switch (shape()) {
             case frames::Shape::sphere:
@@ -228,11 +275,14 @@ private:
     OwnMesh own_mesh_{1.25};
     OwnMaps own_maps_{own_mesh_};
     mutable std::array<Kept<GpuMesh, int>, 5> meshes_;  ///< for each shape, by the version of the own model
+    DifferenceMap difference_{ErrorMetric::angle, -1, 2};
+    /// One for each tile. The inputs are inputs_of_normals(), camera, and how often programs were renewed.
+    std::array<Kept<ErrorSummary, std::vector<double>, Orbit, int>, comparisons.size()> off_;
     Studio studio_;
     Labels labels_;
 
-    int view_ = compare, shape_ = 0, normals_from_ = from_map, map_ = bricks, light_in_ = world_space, size_ = 0,
-        trouble_ = none, order_ = 0;
+    int view_ = compare, show_ = half_and_half, shape_ = 0, normals_from_ = from_map, map_ = bricks,
+        light_in_ = world_space, size_ = 0, trouble_ = none, order_ = 0;
     bool gram_schmidt_ = true, inverse_transpose_ = true, turn_tangent_ = true;
     glm::vec3 scale_{1.35f, 0.75f, 0.9f};
     float strength_ = 1, turn_ = 60, rotate_ = 0, light_yaw_ = -40, light_height_ = 2.2f, light_distance_ = 3;

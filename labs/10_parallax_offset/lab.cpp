@@ -10,6 +10,7 @@
 #include "eye.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
+#include "framework/library/kit/difference_map.h"
 #include "framework/library/kit/drawn_numbers.h"
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/labels.h"
@@ -36,7 +37,7 @@ public:
             studio_.draw(sight.frame, sight.tile, surface_.studio_inputs(), [this] { return surface_.mesh(); });
         }
         if (words) describe(frame.size, sights, found);
-        if (view_ == eye && !frame.probe) describe_eyes(frame.size, sights);
+        if (view_ == eye && !frame.probe) compare_eyes(frame, sights);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -96,14 +97,14 @@ private:
 
     /// Returns a sight for each angle, in tiles along the longer side of the picture.
     std::vector<Sight> sights_of(const Frame& frame) const {
-        const int below = frame.probe || show_ == light || view_ == eye ? 0 : Labels::scale_height(frame.size);
+        const int below = frame.probe || show_ == light ? 0 : Labels::scale_height(frame.size);
         if (view_ == one) {
             const Tile tile = tiles_of(frame.size, 1, below)[0];
             return {{tile, frame_in(frame, tile), method_, 0}};
         }
         if (view_ == eye) {
             std::vector<Sight> sights;
-            std::vector<Tile> tiles = tiles_of(frame.size, eye_ == 0 ? int(eyes.size()) - 1 : 1);
+            std::vector<Tile> tiles = tiles_of(frame.size, eye_ == 0 ? int(eyes.size()) - 1 : 1, below);
             if (eye_ == 0) tiles = Labels::with_feet(frame.size, tiles, 3, 25);
             for (const Tile& tile : tiles)
                 sights.push_back(
@@ -211,19 +212,27 @@ private:
         });
     }
 
-    /// Writes captions. They compare the rays of each way with the rays by the inverse in doubles: bit by bit, and in
-    /// texels.
-    void describe_eyes(glm::ivec2 size, const std::vector<Sight>& sights) {
+    /// Compares the rays of each way with the rays by the inverse in doubles: as colours on half of its tile, and in
+    /// captions, bit by bit and in texels.
+    void compare_eyes(const Frame& frame, const std::vector<Sight>& sights) {
+        const glm::ivec2 size = frame.size;
         constexpr std::array titles = {"dot products in the world", "eye by the inverse", "inverse in double"};
         constexpr glm::ivec2 sample{128, 128};
-        const auto rays = [&](Sight sight, offsets::EyeBy by) {
+        const auto draw_ray = [&](Sight sight, offsets::EyeBy by) {
             sight.eye = by;
             sight.frame.probe = {"ray", MissingTask::told};
-            return draw_numbers(sample, [&] { draw_relief(sight, ""); });
+            draw_relief(sight, "");
+        };
+        const auto rays = [&](const Sight& sight, offsets::EyeBy by) {
+            return draw_numbers(sample, [&] { draw_ray(sight, by); });
         };
         for (const Sight& sight : sights) {
             labels_.caption(size, sight.tile, 0, titles[size_t(sight.eye)]);
             if (sight.eye == offsets::EyeBy::inverse_in_double || sight.tile.size.x <= 0) continue;
+            if (show_ != light)
+                difference_.draw(
+                    frame, sight.tile, show_ == error ? 0 : sight.tile.size.x / 2, [&] { draw_ray(sight, sight.eye); },
+                    [&] { draw_ray(sight, offsets::EyeBy::inverse_in_double); });
             const Image own = rays(sight, sight.eye), exact = rays(sight, offsets::EyeBy::inverse_in_double);
             const Image apart = error_image(own, exact, ErrorMetric::distance);
             const ErrorSummary off = summarize(apart);
@@ -232,6 +241,7 @@ private:
             labels_.caption(size, sight.tile, -2, fmt::format("same bits: {} %", 100 * same / int64_t(off.count)));
             labels_.caption(size, sight.tile, -1, amount_of(off.mean, "texel") + " off");
         }
+        if (show_ != light) labels_.scale(size, "0.001", "10 texels", 4);
     }
 
     /// Writes captions. Those of a strip have the angles, too.
@@ -248,6 +258,7 @@ private:
 
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
+    DifferenceMap difference_{ErrorMetric::distance, -3, 1};
     Studio studio_;
     Labels labels_;
     Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, int, ReliefMapping, int, int> errors_;

@@ -41,6 +41,7 @@ public:
 
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
+        const Show show = shown();
         std::vector<double> mean_turns;
         if (view_ == compare && !frame.probe)
             for (size_t i = 0; i < tiles.size(); ++i) mean_turns.push_back(measure(frame, method_of(i)));
@@ -50,13 +51,14 @@ public:
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
             const Frame part = frame_in(frame, tiles[i]);
             const float middle = float(tiles[i].corner.x) + float(tiles[i].size.x) / 2;
-            const float turns_from = show_ == show_light ? 1e9f : show_ == show_half ? middle : 0;
-            for (const Object& object : objects()) draw_object(part, object, method_of(i), turns_from);
+            const float turns_from = show == show_light ? 1e9f : show == show_half ? middle : 0;
+            for (const Object& object : objects()) draw_object(part, object, method_of(i), shadow_of(i), turns_from);
             if (view_ == scene) draw_ball(part);
             studio_.draw(part, tiles[i], studio_inputs(), [this] { return mesh_on_floor(); });
             if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
+            if (view_ == guesses) labels_.caption(frame.size, tiles[i], 0, compared_shadows[i].second);
         }
-        if (view_ != scene && show_ != show_light) labels_.scale(frame.size, "1", "256 iterations", 8);
+        if (has_scale()) labels_.scale(frame.size, "1", "256 iterations", 8);
         labels_.notes(notes_of_files(*this));
         labels_.draw(frame);
     }
@@ -66,16 +68,19 @@ public:
         knobs.choice("view", view_, views, "reliefs and a ball, every exact method, or one method");
         knobs.choice("method", method_, methods.names,
                      "how the search skips; the hit is the same, except with relaxed");
-        knobs.choice("show", show_, shows, "the light, the iterations of each pixel, or half of each");
+        knobs.choice("show", show_, shows,
+                     KnobHelp("the light, the iterations of each pixel, or half of each")
+                         .only("view", {"scene", "compare", "one"}));
         knobs.choice("shadow", shadow_, shadows.names,
-                     "shadow of the relief on itself: by search, or guessed from normals");
+                     KnobHelp("shadow of the relief on itself: by search, or guessed from normals")
+                         .only("view", {"scene", "compare", "one"}));
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
         knobs.toggle(
             "costs", costs_,
             KnobHelp("show the time and memory of each method's map").only("view", {"compare"}).titled("Show costs"));
         light_.knobs(knobs, -10, 89);
-        KnobsOnly of_surface(knobs, "view", {"compare", "one"});
+        KnobsOnly of_surface(knobs, "view", {"compare", "one", "shadows"});
         surface_.knobs(of_surface);
     }
 
@@ -89,10 +94,10 @@ public:
     }
 
 private:
-    enum View { scene, compare, one };
+    enum View { scene, compare, one, guesses };
     enum Show { show_light, show_half, show_turns };
     enum Shadow { no_shadow, hard, soft, estevez, chiang, schuessler };
-    static constexpr std::array views = {"scene", "compare", "one"};
+    static constexpr std::array views = {"scene", "compare", "one", "shadows"};
     static constexpr std::array shows = {"light", "half-and-half", "iterations"};
     static constexpr auto shadows = choices<Shadow>({{no_shadow, "none"},
                                                      {hard, "hard", "HARD_SHADOW"},
@@ -100,12 +105,18 @@ private:
                                                      {estevez, "estevez", "GUESS_ESTEVEZ"},
                                                      {chiang, "chiang", "GUESS_CHIANG"},
                                                      {schuessler, "schuessler", "GUESS_SCHUESSLER"}});
+    static constexpr std::array<std::pair<Shadow, const char*>, 4> compared_shadows = {
+        {{hard, "search"}, {estevez, "guess: estevez"}, {chiang, "guess: chiang"}, {schuessler, "guess: schuessler"}}};
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
+        const int below = has_scale() ? Labels::scale_height(size) : 0;
+        if (view_ == guesses) return Labels::with_feet(size, tiles_of(size, int(compared_shadows.size())), 1, 18);
         if (view_ != compare) return tiles_of(size, 1, below);
         return Labels::with_feet(size, tiles_of(size, exact_methods, below), costs_ ? 3 : 2, 16);
     }
+    Show shown() const { return view_ == guesses ? show_light : Show(show_); }
+    bool has_scale() const { return view_ != scene && shown() != show_light; }
+    Shadow shadow_of(size_t tile) const { return view_ == guesses ? compared_shadows[tile].first : Shadow(shadow_); }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
 
     std::vector<Object> objects() const {
@@ -150,12 +161,12 @@ private:
         return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface); });
     }
 
-    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
+    void draw_object(const Frame& frame, const Object& object, Method method, Shadow shadow, float turns_from) {
         const ReliefSurface& surface = *object.surface;
         Skips& skips = skips_of(surface);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
-            {frame.probe, methods.define(method), frame.probe ? "" : shadows.define(shadow_),
+            {frame.probe, methods.define(method), frame.probe ? "" : shadows.define(shadow),
              write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : ""});
         glUseProgram(program);
         surface.set(program, frame, object.world_from_model);
@@ -189,7 +200,7 @@ private:
         Frame frame = frame_in(whole, {{0, 0}, {64, 64}});
         frame.probe = {"steps", MissingTask::told};
         const Image steps = draw_numbers(frame.size, [&] {
-            for (const Object& object : objects()) draw_object(frame, object, method, 0);
+            for (const Object& object : objects()) draw_object(frame, object, method, no_shadow, 0);
         });
         double sum = 0, count = 0;
         for (size_t i = 0; i < steps.values.size(); i += 4)

@@ -81,11 +81,33 @@ private:
         const int count = int(Settings::filters.size());
         const bool is_wide = frame.size.x >= frame.size.y;  // else no name fits into a fifth of the width
         const auto tiles =
-            Labels::with_feet(frame.size, tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count), 1, 12);
+            Labels::with_feet(frame.size, tile_grid(frame.size, is_wide ? count : 1, is_wide ? 1 : count), 2, 12);
+        const std::vector<double>& off = highlights_off_.get(
+            {knob_values(*this), frame.camera.orbit(), wall_.renewals()}, [&] { return highlights_off(frame); });
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw_wall(part, Settings::pd, int(i), ""); });
             labels_.caption(frame.size, tiles[i], 0, Settings::filters.names[i]);
+            if (i != Settings::samples && std::isfinite(off[i]))
+                labels_.caption(frame.size, tiles[i], -1, fmt::format("{:.0f} % off", 100 * off[i]));
         }
+    }
+
+    /// Returns for each filter the mean distance of its highlight from that of the samples, as a share of their mean.
+    /// It is not finite before the tasks are written.
+    std::vector<double> highlights_off(const Frame& whole) {
+        Frame frame = frame_in(whole, {{0, 0}, {128, 128}});
+        frame.probe = {"highlight", MissingTask::told};
+        const auto highlight = [&](int filter) {
+            return draw_numbers(frame.size, [&] { draw_wall(frame, Settings::pd, filter, "PROBE"); });
+        };
+        const Image exact = highlight(Settings::samples);
+        const double mean = summarize(channels_of(exact, 0, 1)).mean;
+        std::vector<double> off;
+        for (size_t i = 0; i < Settings::filters.size(); ++i) {
+            const ErrorSummary error = summarize(error_image(highlight(int(i)), exact, ErrorMetric::absolute));
+            off.push_back(error.missing > 0 ? HUGE_VAL : error.mean / mean);
+        }
+        return off;
     }
 
     void draw_tile(const Frame& frame, const Tile& tile, const std::function<void(const Frame&)>& draw) {
@@ -180,6 +202,7 @@ private:
                                    upload([] { return solid_mesh(2); })};
     /// One for each tile. The inputs are knobs, camera, and how often programs were renewed.
     std::array<Kept<ErrorSummary, std::vector<std::string>, Orbit, int>, 6> measured_;
+    Kept<std::vector<double>, std::vector<std::string>, Orbit, int> highlights_off_;
     WindowTriangle window_;
     Labels labels_;
 };

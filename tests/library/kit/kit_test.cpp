@@ -10,12 +10,14 @@
 #include "framework/core/image/file.h"
 #include "framework/library/kit/choices.h"
 #include "framework/library/kit/culling.h"
+#include "framework/library/kit/difference_map.h"
 #include "framework/library/kit/drawn_numbers.h"
 #include "framework/library/kit/kept.h"
 #include "framework/library/kit/light.h"
 #include "framework/library/kit/relief_material.h"
 #include "framework/library/kit/uniforms.h"
 #include "framework/library/kit/window_triangle.h"
+#include "framework/library/maps/visualize.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -146,6 +148,45 @@ TEST(WindowTriangle, BehindAllElseCoversThePixelsWithoutADepth) {
     GLint compare = 0;
     glGetIntegerv(GL_DEPTH_FUNC, &compare);
     EXPECT_EQ(compare, GL_LESS);
+}
+
+TEST(DifferenceMap, ShowsAnglesAndDistancesOnItsPartOfATile) {
+    const auto filled = [](float x, float y) {
+        return [=] {
+            const float value[] = {x, y, 0, 0};
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(0, 0, 8, 1);  // a surface in the lowest row only
+            glClearBufferfv(GL_COLOR, 0, value);
+            glDisable(GL_SCISSOR_TEST);
+        };
+    };
+    const auto drawn = [&](ErrorMetric metric, int low, int high, float x, float y) {
+        DifferenceMap map(metric, low, high);
+        return draw_numbers({10, 4}, [&] {
+            GLint target = 0;
+            glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+            const Frame frame{
+                .target = GLuint(target), .size = {10, 4}, .time = 0, .camera = Camera({}, 1), .probe = {}};
+            map.draw(frame, {{1, 1}, {8, 3}}, 5, filled(1, 0), filled(x, y));
+        });
+    };
+    const auto expect = [](const Image& picture, double share, const char* what) {
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 10; ++x) {
+                const bool is_covered = y == 2 && x >= 6 && x < 9;
+                for (int c = 0; c < 3; ++c) {
+                    const float value = picture.pixel(x, y)[c];
+                    if (is_covered)
+                        EXPECT_NEAR(value, heat_color(share)[c], 1e-5) << what << " at " << x << ", " << y;
+                    else
+                        EXPECT_EQ(value, no_surface) << what << " at " << x << ", " << y;
+                }
+            }
+    };
+    const double degrees_45 = (std::log10(45) + 1) / 3;  // of the way from 0.1 to 100
+    expect(drawn(ErrorMetric::angle, -1, 2, 2, 2), degrees_45, "an angle");
+    expect(drawn(ErrorMetric::distance, -2, 2, 1, 10), 0.75, "a distance of 10");
+    expect(drawn(ErrorMetric::distance, -2, 2, 1, 0), 0, "no distance");
 }
 
 TEST(DrawPixel, ReturnsTheOutputsOfOnePixelOfThePicture) {
