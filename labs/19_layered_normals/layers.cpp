@@ -31,10 +31,15 @@ Height constant(double height) { return {height, {0, 0}, {0, 0, 0}}; }
 /// A linear function of u and v.
 Height linear(double height, glm::dvec2 slope) { return {height, slope, {0, 0, 0}}; }
 
-Height wave(glm::dvec2 uv, glm::dvec2 periods, double amplitude, double phase_rad) {
+/// A wave where its angle has the sine s and the cosine c, both times its amplitude.
+Height wave_of(double s, double c, glm::dvec2 periods) {
     const glm::dvec2 k = turn_rad * periods;
-    const double angle = glm::dot(k, uv) + phase_rad, s = amplitude * std::sin(angle), c = amplitude * std::cos(angle);
     return {s, c * k, -s * glm::dvec3(k.x * k.x, k.x * k.y, k.y * k.y)};
+}
+
+Height wave(glm::dvec2 uv, glm::dvec2 periods, double amplitude, double phase_rad) {
+    const double angle = glm::dot(turn_rad * periods, uv) + phase_rad;
+    return wave_of(amplitude * std::sin(angle), amplitude * std::cos(angle), periods);
 }
 
 /// Returns the smooth rise from 0 to 1 of the first argument, which is linear, between 0 and 1.
@@ -51,6 +56,76 @@ Height between_joints(double place, double low, double high, glm::dvec2 axis) {
     const bool is_low = place - low < high - place;
     const double edge = is_low ? place - low : high - place, side = is_low ? 1 : -1;
     return rise(linear((edge - joint) / rounding, axis * (side / rounding)));
+}
+
+struct Wave {
+    glm::dvec2 periods;  ///< integers
+    double amplitude, phase_rad;
+};
+
+const std::array<Wave, 32>& waves_of_grain() {
+    static const auto waves = [] {
+        std::array<Wave, 32> all;
+        for (uint32_t i = 0; i < all.size(); ++i) {
+            // Logarithmic between 4 and 28 periods, so that every octave has as many waves.
+            const double length = 4 * std::pow(7.0, (i + random_of(i, 1, 1)) / double(all.size()));
+            const double angle = turn_rad / 2 * (0.6180339887 * i - std::floor(0.6180339887 * i));  // evenly
+            const glm::dvec2 periods(std::round(length * std::cos(angle)), std::round(length * std::sin(angle)));
+            all[i] = {periods, 0.1 / (turn_rad * glm::length(periods)), turn_rad * random_of(i, 3, 1)};
+        }
+        return all;
+    }();
+    return waves;
+}
+
+/// The grain at the centres of texels. There, a wave has one of a few angles: their sines are kept.
+class GrainOfTexels {
+public:
+    GrainOfTexels() {
+        for (const Wave& each : waves_of_grain())
+            for (int angle = 0; angle < angles; ++angle) {
+                const double radians = turn_rad * angle / angles + each.phase_rad;
+                kept_.push_back(each.amplitude * glm::dvec2(std::sin(radians), std::cos(radians)));
+            }
+    }
+    Height operator()(int x, int y) const {
+        Height sum = constant(0);
+        const glm::dvec2* kept = kept_.data();
+        for (const Wave& each : waves_of_grain()) {
+            const glm::ivec2 periods(each.periods);
+            const int angle = periods.x * (2 * x + 1) + periods.y * (angles - 2 * y - 1);
+            const glm::dvec2 at = kept[angle & (angles - 1)];
+            sum = sum + wave_of(at.x, at.y, each.periods);
+            kept += angles;
+        }
+        return sum;
+    }
+
+private:
+    static constexpr int angles = 2 * texels;  ///< a power of two
+    std::vector<glm::dvec2> kept_;             ///< sine and cosine, times the amplitude
+};
+
+template <class Layer>
+LayerMaps layer_maps(const Layer& layer) {
+    LayerMaps maps;
+    maps.normals = maps.slopes = maps.bends = Image(texels, texels, 4);
+    parallel_pieces(size_t(texels), 8, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y)
+            for (int x = 0; x < texels; ++x) {
+                const Height at = layer(x, y);
+                const glm::dvec2 slope = at.slope;
+                const glm::dvec3 squares = squares_of(slope);
+                const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope, 1));
+                const auto put = [&](Image& image, const glm::dvec4& value) {
+                    for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(value[c]);
+                };
+                put(maps.normals, {normal, at.height});
+                put(maps.slopes, {slope, squares.x, squares.y});
+                put(maps.bends, {squares.z, at.bend});
+            }
+    });
+    return maps;
 }
 
 }  // namespace
@@ -85,54 +160,18 @@ Height stones(glm::dvec2 uv) {
 }
 
 Height grain(glm::dvec2 uv) {
-    static const auto waves = [] {
-        struct Wave {
-            glm::dvec2 periods;
-            double amplitude, phase_rad;
-        };
-        std::array<Wave, 32> all;
-        for (uint32_t i = 0; i < all.size(); ++i) {
-            // Logarithmic between 4 and 28 periods, so that every octave has as many waves.
-            const double length = 4 * std::pow(7.0, (i + random_of(i, 1, 1)) / double(all.size()));
-            const double angle = turn_rad / 2 * (0.6180339887 * i - std::floor(0.6180339887 * i));  // evenly
-            const glm::dvec2 periods(std::round(length * std::cos(angle)), std::round(length * std::sin(angle)));
-            all[i] = {periods, 0.1 / (turn_rad * glm::length(periods)), turn_rad * random_of(i, 3, 1)};
-        }
-        return all;
-    }();
     Height sum = constant(0);
-    for (const auto& each : waves) sum = sum + wave(uv, each.periods, each.amplitude, each.phase_rad);
+    for (const Wave& each : waves_of_grain()) sum = sum + wave(uv, each.periods, each.amplitude, each.phase_rad);
     return sum;
 }
 
-LayerMaps layer_maps(Height (*layer)(glm::dvec2 uv), int side) {
-    LayerMaps maps;
-    maps.normals = maps.slopes = maps.bends = Image(side, side, 4);
-    parallel_pieces(size_t(side), 8, 0, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y)
-            for (int x = 0; x < side; ++x) {
-                const Height at = layer({(x + 0.5) / side, 1 - (y + 0.5) / side});
-                const glm::dvec2 slope = at.slope;
-                const glm::dvec3 squares = squares_of(slope);
-                const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope, 1));
-                const auto put = [&](Image& image, const glm::dvec4& value) {
-                    for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(value[c]);
-                };
-                put(maps.normals, {normal, at.height});
-                put(maps.slopes, {slope, squares.x, squares.y});
-                put(maps.bends, {squares.z, at.bend});
-            }
-    });
-    return maps;
-}
-
 const LayerMaps& stone_maps() {
-    static const LayerMaps maps = layer_maps(stones, texels);
+    static const LayerMaps maps = layer_maps([](int x, int y) { return stones(centre_of_texel(x, y)); });
     return maps;
 }
 
 const LayerMaps& grain_maps() {
-    static const LayerMaps maps = layer_maps(grain, texels);
+    static const LayerMaps maps = layer_maps(GrainOfTexels());
     return maps;
 }
 

@@ -21,16 +21,17 @@ Height stones(glm::dvec2 uv);
 /// root mean square of 0.4.
 Height grain(glm::dvec2 uv);
 
-/// The maps of a layer. Rows go from the top to the bottom, and v grows up.
+constexpr int texels = 512;  ///< along a side of the maps of a layer
+
+/// The maps of a layer: four floats for each texel, from the layer at its centre.
 struct LayerMaps {
     Image normals;  ///< unit normal, and the height
     Image slopes;   ///< slopes along u and v, and their squares
     Image bends;    ///< product of the slopes, and the second derivatives uu, uv, vv
 };
-/// Returns floats in four channels for side x side texels, at least 1, from the values at their centres.
-LayerMaps layer_maps(Height (*layer)(glm::dvec2 uv), int side);
+/// Returns u and v of a texel's centre. Row 0 is the top, and v grows up.
+inline glm::dvec2 centre_of_texel(int x, int y) { return {(x + 0.5) / texels, 1 - (y + 0.5) / texels}; }
 
-constexpr int texels = 512;  ///< along a side of the maps below
 /// Return the maps of both layers. The first call makes them, which takes some 100 ms.
 const LayerMaps& stone_maps();
 const LayerMaps& grain_maps();

@@ -44,6 +44,22 @@ private:
     std::array<glm::dvec4, 6> waves_;
 };
 
+TEST(LayeredNormals, TheMapsHaveTheLayersAtTheCentresOfTexels) {
+    for (const auto& [layer, maps] : {std::pair(&stones, &stone_maps()), std::pair(&grain, &grain_maps())})
+        for (int y = 0; y < texels; y += 7)
+            for (int x = 0; x < texels; x += 5) {
+                const Height at = layer(centre_of_texel(x, y));
+                const float *const normal = maps->normals.pixel(x, y), *const slope = maps->slopes.pixel(x, y),
+                                   *const bend = maps->bends.pixel(x, y);
+                EXPECT_NEAR(normal[3], at.height, 1e-8) << x << ", " << y;
+                EXPECT_NEAR(normal[0] / normal[2], -at.slope.x, 1e-6) << x << ", " << y;
+                EXPECT_NEAR(slope[1], at.slope.y, 1e-6) << x << ", " << y;
+                EXPECT_NEAR(slope[2], at.slope.x * at.slope.x, 1e-6) << x << ", " << y;
+                EXPECT_NEAR(bend[0], at.slope.x * at.slope.y, 1e-6) << x << ", " << y;
+                EXPECT_NEAR(bend[2], at.bend.y, 1e-4) << x << ", " << y;
+            }
+}
+
 TEST(LayeredNormals, TheLayersDerivativesAreThoseOfTheirHeights) {
     std::mt19937 random(19);
     constexpr double step = 1e-5;

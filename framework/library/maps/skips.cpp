@@ -206,12 +206,16 @@ HeightWindows height_windows(const Image& heights) {
         const auto extents = best_windows(Turns(cells, block, clearances, axis), side / block, axis);
         for (size_t k = 0; k < 4; ++k) {
             windows.extent[size_t(axis)][k] = block * extents[k];
+            Grid clear(blocks.width, blocks.height);
+            for (int y = 0; y < blocks.height; ++y)
+                for (int x = 0; x < blocks.width; ++x)
+                    clear.row(y)[x] = float(clearances.of({x, y}, 1 + extents[k])) / 255;
             for (int quadrant = 0; quadrant < 4; ++quadrant) {
                 const glm::ivec2 behind(quadrant & 1 ? extents[k].x : 0, quadrant & 2 ? extents[k].y : 0);
                 for (int y = 0; y < blocks.height; ++y)
                     for (int x = 0; x < blocks.width; ++x)
                         windows.clearance.pixel(x, (8 - 4 * axis - quadrant) * blocks.height - 1 - y)[k] =
-                            float(clearances.of(glm::ivec2(x, y) - behind, 1 + extents[k])) / 255;
+                            clear.wrapped(x - behind.x, y - behind.y);
             }
         }
     }
