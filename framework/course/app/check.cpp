@@ -160,6 +160,7 @@ void become_checker(const LabEntry& lab, const CheckOptions& options) {
 int check_own_work(const CheckOptions& options) {
     const auto& [lab_text, json, open, patient, wanted_page] = options;
     fs::path page = wanted_page;
+    const bool has_page = open || !page.empty();
     if (!page.empty() && page.extension() != ".html")
         throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));
     const LabEntry& lab = find_lab(lab_text);
@@ -168,7 +169,8 @@ int check_own_work(const CheckOptions& options) {
     become_checker(lab, options);
     const fs::file_time_type saved = check::last_saved(manifest);
     const auto [tasks, driver] =
-        check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits());
+        check::check_lab_apart(lab, manifest, patient ? check::patient_limits : check::PatienceLimits(),
+                               has_page ? check::KeptPictures::of_all : check::KeptPictures::of_failed);
 
     check::keep_points(lab, tasks, saved);
     bool all = true;
@@ -192,7 +194,7 @@ int check_own_work(const CheckOptions& options) {
     } else {
         fmt::print("{}\n", check::points_text(tasks));
     }
-    if (open || !page.empty()) {
+    if (has_page) {
         if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");
         make_folder(fs::absolute(page).parent_path());
         write_file(page, pages::check_page(lab, manifest, tasks, driver));

@@ -62,7 +62,7 @@ void compare(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check, c
     const std::string& probe = check.shot.probe.name;
     const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
     const Rasteriser rasteriser = rasteriser_of(renderer.name);
-    const Image expected = std::move(run.said.expected);
+    Image expected = std::move(run.said.expected);
     Image judged = with_allowance(rasteriser, check, metric, run.drawn, expected);
     run.said = judge(manifest, check, judged, expected);
     if (rasteriser == Rasteriser::coarse && run.said.outcome == Outcome::wrong && renderer.move_vertices) {
@@ -78,7 +78,7 @@ void compare(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check, c
             run.said.related = std::move(relation->predicted);
         }
     run.said.drawn = run.drawn;
-    run.said.expected = expected;
+    run.said.expected = std::move(expected);
 }
 
 CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check,
@@ -169,9 +169,10 @@ const Verdict& LabChecker::run(size_t check, const std::optional<Image>& expecte
     return checks[check];
 }
 
-CheckResult LabChecker::result(size_t check) const {
-    const auto found = memory_->drawn.find(check);
-    return {memory_->checks[check], found == memory_->drawn.end() ? std::nullopt : std::optional(found->second)};
+CheckResult LabChecker::take_result(size_t check) {
+    CheckResult result{std::move(memory_->checks[check])};
+    if (auto sample = memory_->drawn.extract(check)) result.sample = std::move(sample.mapped());
+    return result;
 }
 
 void LabChecker::keep(size_t check, CheckResult result) {

@@ -44,9 +44,9 @@ public:
     const Verdict& run(size_t check, const std::optional<Image>& expected);
     /// Draws with kept labs, which no file may have changed since they were made.
     const Verdict& run(size_t check, const std::optional<Image>& expected, KeptLabs& labs);
-    /// Returns the result of a check's last run.
-    CheckResult result(size_t check) const;
-    /// Keeps the result of a run in another process, in place of a run here.
+    /// Returns the result of a check's last run, and forgets it.
+    CheckResult take_result(size_t check);
+    /// Keeps the result of a run, here or in another process.
     void keep(size_t check, CheckResult result);
     void set_renderer(const NamedRenderer& renderer);
     /// Returns the judge's verdict on all tasks, from the last run of each check. A check that never ran is unfinished.

@@ -161,9 +161,9 @@ private:
 
 /// Runs the checks at `order`, and tells each one. Does not throw.
 void run_checks(const LabEntry& lab, const Manifest& manifest, const std::vector<size_t>& order,
-                const PatienceLimits& limits, LabChecker& checker,
+                const PatienceLimits& limits, LabChecker& checker, KeptPictures pictures,
                 const std::function<void(const CheckInfo& check)>& begins,
-                const std::function<void(const Told& message)>& tell) {
+                const std::function<void(Told message)>& tell) {
     try {
         pin_software_renderer();
         const auto context = open_context(std::nullopt);
@@ -178,7 +178,11 @@ void run_checks(const LabEntry& lab, const Manifest& manifest, const std::vector
             tell({.kind = Tells::begins, .check = i});
             if (begins) begins(manifest.checks[i]);
             checker.run(i, expected_of(labs, manifest.checks[i]), labs);
-            tell({Tells::ends, i, os::processor_seconds(), {}, checker.result(i)});
+            CheckResult result = checker.take_result(i);
+            Verdict& said = result.said;
+            if (pictures == KeptPictures::of_failed && !has_failed(said.outcome))
+                said.drawn = said.expected = said.related = {};
+            tell({Tells::ends, i, os::processor_seconds(), {}, std::move(result)});
         }
     } catch (const std::exception& error) {
         tell({.kind = Tells::failed, .text = error.what()});
@@ -188,11 +192,12 @@ void run_checks(const LabEntry& lab, const Manifest& manifest, const std::vector
 /// The checks of one lab, run by one copy after another.
 class ChecksApart {
 public:
-    ChecksApart(const LabEntry& lab, const Manifest& manifest, const PatienceLimits& limits,
+    ChecksApart(const LabEntry& lab, const Manifest& manifest, const PatienceLimits& limits, KeptPictures pictures,
                 const std::function<void(const CheckInfo& check)>& begins)
         : lab_(lab),
           manifest_(manifest),
           limits_(limits),
+          pictures_(pictures),
           begins_(begins),
           checker_(lab, manifest, {}),
           left_(checks_in_order(manifest)),
@@ -200,9 +205,10 @@ public:
 
     CheckedLab run() {
         if (!can_copy_process()) {
-            run_checks(lab_, manifest_, left_, limits_, checker_, begins_, [&](const Told& message) {
+            run_checks(lab_, manifest_, left_, limits_, checker_, pictures_, begins_, [&](Told message) {
                 if (message.kind == Tells::driver) driver_ = message.text;
                 if (message.kind == Tells::begins) begin(message.check);
+                if (message.kind == Tells::ends) checker_.keep(message.check, std::move(message.result));
                 if (message.kind == Tells::failed) throw Error(message.text);
                 if (message.kind != Tells::over) return;
                 print_error(fmt::format("lab {}: {}", lab_.two_digits(), unfinished(message.text)));
@@ -224,7 +230,7 @@ private:
             printed.take_output();
             PatienceLimits limits = limits_;
             limits.lab -= spent_;
-            run_checks(lab_, manifest_, left_, limits, checker_, begins_, [&](const Told& message) {
+            run_checks(lab_, manifest_, left_, limits, checker_, pictures_, begins_, [&](const Told& message) {
                 const std::lock_guard lock(sending);
                 std::fflush(nullptr);
                 send_told(pipe.write, message);
@@ -337,6 +343,7 @@ private:
     const LabEntry& lab_;
     const Manifest& manifest_;
     const PatienceLimits limits_;
+    const KeptPictures pictures_;
     const std::function<void(const CheckInfo& check)>& begins_;
     LabChecker checker_;
     std::vector<size_t> left_;  ///< the checks without a result
@@ -349,8 +356,8 @@ private:
 }  // namespace
 
 CheckedLab check_lab_apart(const LabEntry& lab, const Manifest& manifest, const PatienceLimits& limits,
-                           const std::function<void(const CheckInfo& check)>& begins) {
-    CheckedLab checked = ChecksApart(lab, manifest, limits, begins).run();
+                           KeptPictures pictures, const std::function<void(const CheckInfo& check)>& begins) {
+    CheckedLab checked = ChecksApart(lab, manifest, limits, pictures, begins).run();
     tell_unproven(lab, manifest, checked.tasks);
     return checked;
 }

@@ -21,6 +21,9 @@ struct CheckedLab {
     std::string driver;  ///< see ContextInfo::driver()
 };
 
+/// The verdicts that have their pictures. Those of all checks of a lab are tens of megabytes.
+enum class KeptPictures { of_failed, of_all };
+
 /// Runs all checks of a lab, task by task, and names known mistakes. Precondition: this process has no context and no
 /// other thread. Each copy opens a context, and draws until its end or until a check ends it: that check is `crashed`,
 /// `out_of_time` or `out_of_memory`, and another copy runs the rest. After a check that is out of time, the other
@@ -31,6 +34,7 @@ struct CheckedLab {
 ///
 /// `begins` is called in the copy before each check, for tests.
 CheckedLab check_lab_apart(const LabEntry& lab, const Manifest& manifest, const PatienceLimits& limits,
+                           KeptPictures pictures = KeptPictures::of_failed,
                            const std::function<void(const CheckInfo& check)>& begins = {});
 
 }  // namespace relief::check
