@@ -61,7 +61,10 @@ Wanted wanted_of(const std::vector<std::string>& texts) {
 }
 
 measure::BenchSettings settings_of(const BenchArguments& arguments) {
-    measure::BenchSettings settings{.repeats = arguments.quick ? 3 : 15, .quick = arguments.quick, .pictures = true};
+    measure::BenchSettings settings{.repeats = arguments.quick ? 3 : 15,
+                                    .quick = arguments.quick,
+                                    .is_chosen = !arguments.set.empty(),
+                                    .pictures = true};
     if (!arguments.size.empty()) {
         const std::optional<int> side = parse_int(arguments.size);
         if (!side || *side < 64 || *side > 4096)

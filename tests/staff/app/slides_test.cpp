@@ -12,6 +12,7 @@
 #include "framework/core/lab/shot.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/task/starter.h"
+#include "framework/staff/measure/bench.h"
 #include "framework/staff/slides/deck.h"
 #include "tests/browser.h"
 #include "tests/code_shape.h"
@@ -368,6 +369,30 @@ TEST(Slides, ShowNoSolutionWithRenamedIdentifiers) {
                 }
     }
     EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
+}
+
+TEST(Slides, PlotsOfAllDecksNameValuesThatAreMeasured) {
+    int plots = 0;
+    for (const std::string& name : decks())
+        for (const slides::DeckFigure& figure : deck_of(name, true).figures) {
+            const Names& words = figure.command;
+            if (words.front() != "bench") continue;
+            std::vector<std::pair<std::string, Names>> wanted;
+            for (size_t i = 3; i < words.size(); ++i)
+                if (words[i - 1] == "--set") {
+                    const size_t sign = words[i].find('=');
+                    wanted.emplace_back(words[i].substr(0, sign), split(words[i].substr(sign + 1), ','));
+                }
+            const bool is_quick = std::find(words.begin(), words.end(), "--quick") != words.end();
+            const measure::BenchSettings settings{.repeats = 3, .quick = is_quick, .is_chosen = !wanted.empty()};
+            for (const measure::BenchTopic& topic : measure::bench_topics())
+                if (topic.name == words[1]) {
+                    ++plots;
+                    EXPECT_NO_THROW(measure::filter_scenes(topic, topic.scenes(settings), wanted))
+                        << name << ": relief " << join(words, " ");
+                }
+        }
+    EXPECT_GE(plots, 10);
 }
 
 /// Returns the decks to be made: a sample, because their figures take minutes.
