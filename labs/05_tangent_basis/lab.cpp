@@ -212,8 +212,14 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 
         const bool are_too_many = is_own() && own_.mesh().vertices.size() > most_lined_vertices;
-        if (lines_ && !are_too_many && method != derivatives && view_ != frames && !frame.probe)
+        if (lines_ && !are_too_many && method != derivatives && view_ != frames && !frame.probe) {
+            // Lines would hide the colours of the half with errors.
+            const bool is_half = show_ == half_and_half && !shows_light_only();
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(tile.corner.x, tile.corner.y, is_half ? tile.size.x / 2 : tile.size.x, tile.size.y);
             draw_lines(frame.camera, tile, mesh);
+            glDisable(GL_SCISSOR_TEST);
+        }
     }
 
     /// Returns the definition of the surface with which the shader compares. A probe shows no error.

@@ -82,10 +82,16 @@ public:
     bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
     /// Returns the path of a file in the site, or "" if it does not exist.
     std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
+    /// Copies the files. Their first page gets a link to the site's.
     void copy() const {
         for (const fs::path& file : files_) {
             make_folder((to_ / file).parent_path());
-            write_file(to_ / file, read_file(from_ / file));
+            std::string text = read_file(from_ / file);
+            if (const size_t header = text.find("<header>"); file == "index.html" && header != std::string::npos)
+                text.insert(
+                    header + std::string_view("<header>").size(),
+                    "<p class=\"up\"><a href=\"../index.html\"><span aria-hidden=\"true\">←</span> All labs</a></p>");
+            write_file(to_ / file, text);
         }
     }
 
@@ -312,6 +318,7 @@ private:
         if (is_live_) return links;
         add("Speed and error", others_.at("bench").place("index.html"));
         add("Which mistake made this picture?", others_.at("quiz").place("index.html"));
+        if (pages_.size() == registry().size()) add("Ways through the course", "#paths");
         return links;
     }
 

@@ -132,7 +132,11 @@ private:
         }
         skip_spaces();
         const bool negative = take("-");
-        Formula below = bare(factor());
+        Formula divisor = factor();
+        if (divisor.kind == Kind::sign)
+            fail(fmt::format("only {} would be below the line: put it in brackets with what it belongs to",
+                             divisor.text));
+        Formula below = bare(std::move(divisor));
         if (negative) below.parts.insert(below.parts.begin(), minus);
         return {Kind::fraction, "", {bare(std::move(above)), std::move(below)}};
     }

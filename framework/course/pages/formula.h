@@ -36,7 +36,8 @@ constexpr std::string_view closing_of(std::string_view bracket) {
 /// Parses a formula:
 /// - `f0`, `w_i` and `h_u` have subscripts; `x^2`, `M^-T` and `n'` have superscripts.
 /// - `p.xy` and `to_light` are one name. Adjacent names are a product.
-/// - `a / b` is a fraction of the two adjacent factors; `(a b) / (c d)` is one of the groups without their brackets.
+/// - `a / b` is a fraction of the two adjacent factors; `(a b) / (c d)` is one of the groups without their brackets. A
+///   sum or a gradient below the line needs them.
 /// - `(a, b; c, d)` is a matrix.
 /// - `sqrt(x)`, `|x|`, `sum`, `grad`, `<=`, `>=`, `<=>`, `->` and the names of Greek letters become signs.
 /// - "text" is words.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/course/pages/template.h"
 
 namespace relief::pages {
@@ -17,7 +19,20 @@ std::string row_of(const Formula& row) {
     return markup;
 }
 
+/// A prime is raised by its letter: as a superscript, it would be raised twice without a mathematical font.
+bool are_primes(const Formula& scripts) {
+    return !scripts.parts.empty() &&
+           std::all_of(scripts.parts.begin(), scripts.parts.end(), [](const Formula& one) { return one.text == "′"; });
+}
+
 std::string scripts_of(const Formula& part) {
+    if (are_primes(part.parts[2])) {
+        std::string markup = part.parts[1].parts.empty()
+                                 ? markup_of(part.parts[0])
+                                 : scripts_of({Kind::scripts, "", {part.parts[0], part.parts[1], {}}});
+        for (size_t i = 0; i < part.parts[2].parts.size(); ++i) markup += "<mo lspace=\"0\" rspace=\"0\">′</mo>";
+        return "<mrow>" + markup + "</mrow>";
+    }
     const std::string base = markup_of(part.parts[0]);
     const std::string low = fmt::format("<mrow>{}</mrow>", row_of(part.parts[1])),
                       high = fmt::format("<mrow>{}</mrow>", row_of(part.parts[2]));

@@ -341,7 +341,12 @@ std::string short_name(const BenchRow& row) {
     for (const auto& [knob, value] : row.knobs) {
         std::string name = knob;
         std::replace(name.begin(), name.end(), '_', ' ');
-        if (!parse_number(value))
+        if (value == row.method) continue;
+        if (value == "on" || value == "yes")
+            text += " " + name;
+        else if (value == "off" || value == "no")
+            text += " no " + name;
+        else if (!parse_number(value))
             text += " " + value;
         else if (knob.ends_with('s'))
             text += fmt::format(" {} {}", value, value == "1" ? name.substr(0, name.size() - 1) : name);

@@ -64,7 +64,8 @@ std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machin
 /// Reads work and errors from the output of bench_csv(). Throws Error with the line for any other text.
 std::vector<BenchRow> read_bench_csv(const std::string& text);
 
-/// Returns the method and the values of its knobs. Numbers have their knob's name: "mikktspace 2 threads", "low 500".
+/// Returns the method and the values of its knobs that the method's name does not have. Numbers and switches have their
+/// knob's name: "mikktspace 2 threads", "low 500", "whole tangent no gram schmidt".
 std::string short_name(const BenchRow& row);
 /// Returns a name that is unique among rows: "topic, scene, method, knobs".
 std::string row_name(const BenchRow& row);

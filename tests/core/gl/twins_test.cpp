@@ -184,6 +184,12 @@ std::vector<Twin> light_and_color() {
          [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-0.2f, 1.2f), 0, 0, 0)}; },
          [](const GlslInput& in) { return glm::dvec4(heat_color(in[0].x), 0); },
          {"0.87, 0.32", "0.32, 0.87"}},
+        {"log_heat",
+         "common/heat.glsl",
+         "vec4(log_heat(a.x, -3.0, 1.0), 0.0)",
+         [](Dice& dice) { return GlslInput{glm::vec4(std::abs(dice.any_size(-4, 2)), 0, 0, 0)}; },
+         [](const GlslInput& in) { return glm::dvec4(heat_color((std::log10(double(in[0].x)) + 3) / 4), 0); },
+         {"- low)", "+ low)"}},
     };
 }
 

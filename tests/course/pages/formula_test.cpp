@@ -37,7 +37,9 @@ TEST(Formula, SubscriptsAndSuperscriptsAreMarked) {
     EXPECT_EQ(inside("w_i"), "<msub><mi>w</mi><mrow><mi>i</mi></mrow></msub>");
     EXPECT_EQ(inside("f0"), "<msub><mi>f</mi><mrow><mn>0</mn></mrow></msub>");
     EXPECT_EQ(inside("M^-T"), "<msup><mi>M</mi><mrow><mo>−</mo><mi>T</mi></mrow></msup>");
-    EXPECT_EQ(inside("p'_u"), "<msubsup><mi>p</mi><mrow><mi>u</mi></mrow><mrow><mo>′</mo></mrow></msubsup>");
+    const std::string prime = "<mo lspace=\"0\" rspace=\"0\">′</mo>";
+    EXPECT_EQ(inside("n''"), "<mrow><mi>n</mi>" + prime + prime + "</mrow>");
+    EXPECT_EQ(inside("p'_u"), "<mrow><msub><mi>p</mi><mrow><mi>u</mi></mrow></msub>" + prime + "</mrow>");
     EXPECT_EQ(inside("x²"), inside("x^2"));
 }
 
@@ -81,7 +83,7 @@ TEST(Formula, LinesHaveCellsOfFormulasAndWords) {
 }
 
 TEST(Formula, AnInvalidFormulaIsAnError) {
-    for (const char* wrong : {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^"})
+    for (const char* wrong : {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^", "a / sum b", "a / grad b", "a/-sum(b)"})
         EXPECT_THROW(parse_formula(wrong), Error) << wrong;
     EXPECT_THROW(formula_lines("\"a"), Error);
     EXPECT_THROW(parse_formula(std::string(100000, '(')), Error);

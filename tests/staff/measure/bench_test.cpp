@@ -208,6 +208,8 @@ TEST(BenchRow, NamesTheNumbersAmongItsKnobs) {
     EXPECT_EQ(short_name(row), "mikktspace 2 threads map size 64 map");
     row.knobs = {{"threads", "1"}};
     EXPECT_EQ(short_name(row), "mikktspace 1 thread");
+    row.knobs = {{"makes", "mikktspace"}, {"gram_schmidt", "on"}, {"scaled", "no"}};
+    EXPECT_EQ(short_name(row), "mikktspace gram schmidt no scaled");
 }
 
 /// A row with a median time, its spread to both sides, and a mean error.
