@@ -189,7 +189,7 @@ std::vector<Twin> light_and_color() {
          "vec4(log_heat(a.x, -3.0, 1.0), 0.0)",
          [](Dice& dice) { return GlslInput{glm::vec4(std::abs(dice.any_size(-4, 2)), 0, 0, 0)}; },
          [](const GlslInput& in) { return glm::dvec4(heat_color((std::log10(double(in[0].x)) + 3) / 4), 0); },
-         {"- low)", "+ low)"}},
+         {"log2(10.0) - low", "log2(10.0) + low"}},
     };
 }
 
