@@ -115,7 +115,9 @@ private:
             return take(")") ? inner : Value();
         }
         if (at_ == tokens_.size()) return {};
-        return parse_int(tokens_[at_++].text);
+        const std::string& number = tokens_[at_++].text;
+        if (number.size() > 1 && number.starts_with('0')) return {};  // octal
+        return parse_int(number);
     }
 
     std::span<const CodeToken> tokens_;

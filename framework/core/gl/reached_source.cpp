@@ -15,8 +15,11 @@ using Range = std::pair<size_t, size_t>;
 
 struct Function {
     size_t begin, end;
-    int open_conditions = 0;  ///< #if lines without their #endif
-    bool is_whole = true;     ///< neither defines macros nor begins or ends inside of an #if
+    /// Begins after a ; or a }, defines no macros, and each branch of an #if has all of it, or as many braces as the
+    /// others. Of what is not whole, nobody knows where it ends.
+    bool is_whole = true;
+    int depth = 0;                     ///< of braces
+    std::vector<int> conditions = {};  ///< for each open #if the depth before it
 };
 
 /// A text and its functions, which do not depend on the definitions that a program adds.
@@ -44,11 +47,22 @@ void blank_out(std::string& text, size_t begin, size_t end) {
 
 void note_directive(Function& function, const std::vector<CodeToken>& words) {
     const std::string name = words.size() < 2 ? "" : words[1].text;
-    if (name.starts_with("if")) ++function.open_conditions;
-    if (name == "endif") --function.open_conditions;
-    if (function.open_conditions < 0 || name == "define" || name == "undef" ||
-        (function.open_conditions == 0 && name.starts_with("el")))
-        function.is_whole = false;
+    if (name == "define" || name == "undef") function.is_whole = false;
+    if (name.starts_with("if")) function.conditions.push_back(function.depth);
+    if (name != "endif" && !name.starts_with("el")) return;
+    if (function.conditions.empty() || function.conditions.back() != function.depth) function.is_whole = false;
+    if (name == "endif" && !function.conditions.empty()) function.conditions.pop_back();
+}
+
+/// Returns whether a line makes names out of parts, or has braces without their partners: then functions are not what
+/// parse_glsl() sees.
+bool hides_functions(const std::vector<CodeToken>& words) {
+    int depth = 0;
+    for (size_t i = 1; i < words.size(); ++i) {
+        if (words[i].text == "#" && words[i - 1].text == "#") return true;
+        depth += words[i].text == "{" ? 1 : words[i].text == "}" ? -1 : 0;
+    }
+    return depth != 0;
 }
 
 Parsed parse(const std::string& text) {
@@ -57,23 +71,31 @@ Parsed parse(const std::string& text) {
     for (const GlslFunction& function : glsl.functions)
         parsed.functions.push_back({.begin = function.begin, .end = function.end});
     size_t next = 0;
+    bool are_hidden = false;
+    bool ends_before = true;  // what is before the token, outside of functions
     for (const CodeToken& token : all_tokens(text)) {
         while (next < parsed.functions.size() && token.begin >= parsed.functions[next].end) ++next;
         const bool is_inside = next < parsed.functions.size() && token.begin >= parsed.functions[next].begin;
         const auto note = [&](const std::string& word) {
             parsed.words.push_back({token.begin, parsed.number_of(word), is_inside ? int(next) : -1});
         };
+        if (is_inside && token.begin == parsed.functions[next].begin) parsed.functions[next].is_whole = ends_before;
+        if (is_inside && token.text == "{") ++parsed.functions[next].depth;
+        if (is_inside && token.text == "}") --parsed.functions[next].depth;
+        if (token.is_code()) ends_before = token.text == ";" || token.text == "}";
         if (token.kind == CodeToken::comment)
             blank_out(parsed.text, token.begin, token.end);
         else if (token.kind == CodeToken::word)
             note(token.text);
         else if (token.kind == CodeToken::directive) {
             parsed.directives.push_back({token.begin, token.end, tokens_of_directive(token)});
-            if (is_inside) note_directive(parsed.functions[next], parsed.directives.back().tokens);
-            for (const CodeToken& word : parsed.directives.back().tokens) note(word.text);
+            const std::vector<CodeToken>& words = parsed.directives.back().tokens;
+            if (is_inside) note_directive(parsed.functions[next], words);
+            are_hidden |= hides_functions(words);
+            for (const CodeToken& word : words) note(word.text);
         }
     }
-    for (Function& each : parsed.functions) each.is_whole &= each.open_conditions == 0;
+    for (Function& each : parsed.functions) each.is_whole &= each.conditions.empty() && !are_hidden;
     parsed.functions_of.resize(parsed.names.size());
     for (size_t i = 0; i < glsl.functions.size(); ++i)
         parsed.functions_of[size_t(parsed.number_of(glsl.functions[i].name))].push_back(i);
@@ -163,7 +185,9 @@ ShaderSource reached_source(const ShaderSource& source) {
     for (size_t at = 0; at < text.size(); ++line) {
         const size_t end = std::min(text.find('\n', at), text.size());
         std::string_view shown = std::string_view(text).substr(at, end - at);
-        shown = shown.substr(0, shown.find_last_not_of(" \t\r") + 1);
+        const size_t used = shown.find_last_not_of(" \t\r") + 1;
+        // A blank after a backslash keeps it from joining lines.
+        shown = shown.substr(0, used > 0 && shown[used - 1] == '\\' ? std::min(used + 1, shown.size()) : used);
         if (!shown.empty() || is_joined) {
             result.text.append(shown) += '\n';
             result.lines.push_back(line < source.lines.size() ? source.lines[line] : Place{});

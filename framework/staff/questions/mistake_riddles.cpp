@@ -1,8 +1,11 @@
 #include "framework/staff/questions/mistake_riddles.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <tuple>
 
+#include "framework/core/base/code_text.h"
 #include "framework/core/image/compare.h"
 #include "framework/library/maps/visualize.h"
 #include "framework/staff/questions/dice.h"
@@ -14,6 +17,29 @@ namespace {
 constexpr size_t most_riddle_views = 2, most_riddle_mistakes = 8;
 
 bool tells_apart(const Image& a, const Image& b) { return distinct_pictures({a, b}, 2).size() == 2; }
+
+/// Returns the words of a hint that say something: those of four letters or more.
+std::set<std::string> long_words(const std::string& hint) {
+    std::set<std::string> words;
+    std::string word;
+    for (const char c : hint + " ") {
+        if (is_word_character(c))
+            word += char(std::tolower(static_cast<unsigned char>(c)));
+        else if (word.size() >= 4)
+            words.insert(std::exchange(word, {}));
+        else
+            word.clear();
+    }
+    return words;
+}
+
+/// Returns whether two hints share more than half of the long words of the shorter one.
+bool say_alike(const std::string& a, const std::string& b) {
+    const std::set<std::string> words_a = long_words(a), words_b = long_words(b);
+    const auto shared =
+        std::count_if(words_a.begin(), words_a.end(), [&](const auto& word) { return words_b.contains(word); });
+    return a == b || 2 * size_t(shared) > std::min(words_a.size(), words_b.size());
+}
 
 /// Returns known mistakes in shaders, those of the task first.
 std::vector<const MistakeInfo*> riddle_mistakes(const Manifest& manifest, const TaskInfo& task) {
@@ -64,10 +90,17 @@ std::vector<size_t> choices_beside(size_t asked, const Image& right, std::span<c
     const Image& shown = pictures[asked];
     if (shown.values.empty() || right.values.empty() || !tells_apart(shown, right)) return {};
     std::vector<size_t> choices = {asked};
-    for (size_t i = 0; i < pictures.size() && choices.size() < 4; ++i)
-        if (!pictures[i].values.empty() && tells_apart(shown, pictures[i]) &&
-            std::none_of(choices.begin(), choices.end(), [&](size_t other) { return hints[other] == hints[i]; }))
-            choices.push_back(i);
+    std::vector<size_t> apart;
+    for (size_t i = 0; i < pictures.size(); ++i)
+        if (!pictures[i].values.empty() && tells_apart(shown, pictures[i])) apart.push_back(i);
+    const auto add_unless = [&](const auto& is_like) {
+        for (const size_t i : apart)
+            if (choices.size() < 4 && std::none_of(choices.begin(), choices.end(),
+                                                   [&](size_t other) { return is_like(hints[other], hints[i]); }))
+                choices.push_back(i);
+    };
+    add_unless(say_alike);
+    add_unless(std::equal_to<>());  // better a hint with the same words than no riddle
     if (choices.size() < 4) choices.clear();
     return choices;
 }

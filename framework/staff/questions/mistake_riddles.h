@@ -12,7 +12,7 @@ namespace relief::grade {
 
 /// Returns four indices, `asked` first, of mistakes with different hints, so that the picture of `asked` tells which
 /// one it is: it differs visibly from the right picture and from those of the other three. Returns nothing if there are
-/// no such four. A mistake without a picture is no choice. See distinct_share.
+/// no such four. A mistake without a picture is no choice. Prefers hints with few words in common. See distinct_share.
 std::vector<size_t> choices_beside(size_t asked, const Image& right, std::span<const Image> pictures,
                                    const std::vector<std::string>& hints);
 

@@ -56,8 +56,8 @@ TEST(Conditions, EvaluateExpressionsByTheirPrecedence) {
           "!(1 > 2) && TWO <= 2", "0 && 0 || 1", "1 || 0 && 0", "defined TWO && !defined (THREE)", "BOTH",
           "FOUR >= 4 && FOUR != 5 && 3 < FOUR", "defined EMPTY", "defined NONE && NONE == 3 || TWO == 2"})
         EXPECT_EQ(value_of(expression, definitions), "1") << expression;
-    for (const char* expression :
-         {"0", "TWO == 3", "!TWO", "2 - 2", "4 & 3", "6 & 3 == 3", "1 - 1 - 1 + 1", "defined NONE && NONE == 3", "1 == 2 == 2"})
+    for (const char* expression : {"0", "TWO == 3", "!TWO", "2 - 2", "4 & 3", "6 & 3 == 3", "1 - 1 - 1 + 1",
+                                   "defined NONE && NONE == 3", "1 == 2 == 2"})
         EXPECT_EQ(value_of(expression, definitions), "0") << expression;
 }
 
@@ -67,8 +67,8 @@ TEST(Conditions, KeepBothBranchesOfWhatTheyDoNotKnow) {
          {std::string("NONE == 3"), std::string("GL_EXT == 1"), std::string("defined GL_ARB_conservative_depth"),
           std::string("__VERSION__ > 400"), std::string("1 << 2"), std::string("7 % 2"), std::string("PAIR(1)"),
           std::string("SELF"), std::string("1 +"), std::string("defined"), std::string("defined ("), std::string("(1"),
-          std::string("0x10"), std::string("1 1"), std::string("EMPTY"), std::string(""), brackets,
-          "LONG" + std::string(1000, '+')})
+          std::string("0x10"), std::string("010 == 10"), std::string("1 1"), std::string("EMPTY"), std::string(""),
+          brackets, "LONG" + std::string(1000, '+')})
         EXPECT_EQ(value_of(expression, {"PAIR(x) x", "SELF SELF", "EMPTY", "LONG 1"}), "unknown")
             << expression.substr(0, 40);
     EXPECT_EQ(value_of("LOTS", {"A 1 + 1 + 1 + 1", "B A + A + A + A", "C B + B + B + B", "LOTS C + C + C + C"}),

@@ -268,6 +268,25 @@ TEST_F(Shaders, HaveAReachedPartWithoutWhatTheirDefinitionsLeaveOut) {
     EXPECT_EQ(count(near_text, "near_of"), 2) << near_text;
 }
 
+TEST_F(Shaders, KeepAllFunctionsInTheirReachedPartWhereTheirEndsAreNotKnown) {
+    const std::string needed = "float needed(float x) { return x; }\n", main = "void main() { needed(1.0); }\n";
+    for (const char* strange :
+         {"float h(float x) {\n#ifdef A\n if (x > 0.0) {\n#else\n {\n#endif\n x += 1.0; } return x; }\nNEEDED"
+          "float k(float x) { if (x > 0.0) {\n#ifdef B\n x = 1.0; }\n#else\n x = 2.0; }\n#endif\n return x; }\n",
+          "#define LOOP for (int i = 0; i < 4; ++i) {\nfloat f(float x) { LOOP x += 1.0; } return x; }\nNEEDED",
+          "#define NAME(n) need##n\nNEEDED"}) {
+        std::string text = std::string("#version 410 core\n") + strange + main;
+        text.replace(text.find("NEEDED"), 6, needed);
+        const std::string reached = reached_source(load(text)).text;
+        EXPECT_TRUE(contains(reached, "float needed(float x) { return x; }")) << text << reached;
+        EXPECT_EQ(count(reached, "{"), count(reached, "}")) << reached;
+    }
+    const std::string marked = "#version 410 core\n#define P highp\nP float f(float x) { return x; }\n" + needed + main;
+    EXPECT_TRUE(contains(reached_source(load(marked)).text, "P float f(float x)")) << "what is before it belongs to it";
+    const std::string blank = "#version 410 core\n#define A 1 \\ \n#define B 2\n" + needed + main;
+    EXPECT_TRUE(contains(reached_source(load(blank)).text, "\\ \n")) << "it does not join lines";
+}
+
 TEST_F(Shaders, SurviveVeryLongNamesAndLines) {
     const std::string name = "u_" + std::string(1 << 20, 'x');
     EXPECT_EQ(load("#version 410 core\nuniform float " + name + ";\n").names.count(name), 1u);

@@ -560,14 +560,16 @@ TEST(Grade, ASubmissionCompilesNoShaderAgainThatIsEverybodysAndSeesNoneOfAnother
     LabViews views(lab, stage, {.isolation = Isolation::namespaces});
     views.reuse_shaders();
     const check::CompiledShaders& known = views.reused_shaders();
+    // Programs that use no function of a task are everybody's.
     const auto submission = [&](const char* more) {
         CourseFiles files = solution_files(load_manifest(lab));
-        for (auto& [file, text] : files) text += more;
+        for (auto& [file, text] : files)
+            for (size_t at = 0; (at = text.find(") {\n", at)) != std::string::npos; at += 4) text.insert(at + 4, more);
         return files;
     };
-    const Attempt alone = draw_own(stage, lab, submission("const float two = 2.0;\n")),
-                  first = draw_own(stage, lab, submission("const float one = 1.0;\n"), known),
-                  second = draw_own(stage, lab, submission("const float two = 2.0; // as another\n"), known);
+    const Attempt alone = draw_own(stage, lab, submission("float two = 2.0;\n")),
+                  first = draw_own(stage, lab, submission("float one = 1.0;\n"), known),
+                  second = draw_own(stage, lab, submission("float two = 2.0; // as another\n"), known);
     EXPECT_GE(known.size(), 10u);
     EXPECT_EQ(common_names(known, alone.compiled), known.size()) << "it would have compiled them";
     EXPECT_LT(common_names(first.compiled, alone.compiled), first.compiled.size()) << "the first has text of its own";

@@ -270,7 +270,7 @@ TEST(QuestionsCommand, ASeedInTheEnvironmentIsWrittenNowhere) {
 TEST(QuestionsCommand, ASubmissionThatDoesNotCompileCostsOneLineAndNoSheet) {
     const TemporaryFolder folder;
     folder.write("good/" + std::string(frames), read_file(course_root() / frames));
-    folder.write("typo/" + std::string(frames), frames_with("float c = cos(angle)", "float c = cos(angel)"));
+    folder.write("typo/" + std::string(frames), read_file(course_root() / frames) + "const float c = angel;\n");
     folder.write("reader/" + std::string(frames),
                  "#include \"common/light.glsl\"\n" + read_file(course_root() / frames));
     folder.write("empty/notes.txt", "nothing");

@@ -89,6 +89,11 @@ TEST(Questions, ChoicesBesideAMistakeHaveOtherPicturesAndOtherHints) {
     EXPECT_EQ(choices_beside(3, right, pictures, hints), std::vector<size_t>{}) << "it has no picture";
     EXPECT_EQ(choices_beside(0, with(22), pictures, hints), std::vector<size_t>{}) << "it looks right";
     EXPECT_EQ(choices_beside(0, right, std::span(pictures).first(6), hints), std::vector<size_t>{}) << "only three";
+    const std::vector<std::string> alike = {
+        "Add a half before floor.", "Adding 1 before floor() rounds.", "c", "d", "b", "e", "f"};
+    EXPECT_EQ(choices_beside(0, right, pictures, alike), (std::vector<size_t>{0, 4, 5, 6})) << "without the same words";
+    EXPECT_EQ(choices_beside(0, right, std::span(pictures).first(6), alike), (std::vector<size_t>{0, 4, 5, 1}))
+        << "with the same words, if there are no others";
 }
 
 TEST(Questions, AreChosenInTurnOfKindsAndLabs) {
