@@ -83,7 +83,8 @@ TEST(Formula, LinesHaveCellsOfFormulasAndWords) {
 }
 
 TEST(Formula, AnInvalidFormulaIsAnError) {
-    for (const char* wrong : {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^", "a / sum b", "a / grad b", "a/-sum(b)"})
+    for (const char* wrong :
+         {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^", "a / sum b", "a / grad b", "a/-sum(b)"})
         EXPECT_THROW(parse_formula(wrong), Error) << wrong;
     EXPECT_THROW(formula_lines("\"a"), Error);
     EXPECT_THROW(parse_formula(std::string(100000, '(')), Error);
