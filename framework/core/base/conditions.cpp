@@ -46,7 +46,8 @@ bool expand(std::span<const CodeToken> tokens, const Macros& macros, std::vector
     return true;
 }
 
-/// An expression of integers. A part that decides nothing needs no value, as in `defined A && A == 2` without an A.
+/// An expression of integers. Its value may be known although that of a part is not: `defined A && A == 2` is 0 without
+/// an A.
 class Expression {
 public:
     explicit Expression(std::span<const CodeToken> tokens) : tokens_(tokens) {}

@@ -15,8 +15,8 @@ using Range = std::pair<size_t, size_t>;
 
 struct Function {
     size_t begin, end;
-    /// Begins after a ; or a }, defines no macros, and each branch of an #if has all of it, or as many braces as the
-    /// others. Of what is not whole, nobody knows where it ends.
+    /// Whether `end` is certain: the function begins after a ; or a }, defines no macros, ends no #if that began before
+    /// it, and no branch of its #if lines opens or closes a brace alone.
     bool is_whole = true;
     int depth = 0;                     ///< of braces
     std::vector<int> conditions = {};  ///< for each open #if the depth before it
@@ -54,8 +54,8 @@ void note_directive(Function& function, const std::vector<CodeToken>& words) {
     if (name == "endif" && !function.conditions.empty()) function.conditions.pop_back();
 }
 
-/// Returns whether a line makes names out of parts, or has braces without their partners: then functions are not what
-/// parse_glsl() sees.
+/// Returns whether a macro's line joins names by ## or has unbalanced braces: parse_glsl() may then find wrong
+/// functions.
 bool hides_functions(const std::vector<CodeToken>& words) {
     int depth = 0;
     for (size_t i = 1; i < words.size(); ++i) {
@@ -72,7 +72,7 @@ Parsed parse(const std::string& text) {
         parsed.functions.push_back({.begin = function.begin, .end = function.end});
     size_t next = 0;
     bool are_hidden = false;
-    bool ends_before = true;  // what is before the token, outside of functions
+    bool ends_before = true;  // the code token before this one is a ; or a }, or there is none
     for (const CodeToken& token : all_tokens(text)) {
         while (next < parsed.functions.size() && token.begin >= parsed.functions[next].end) ++next;
         const bool is_inside = next < parsed.functions.size() && token.begin >= parsed.functions[next].begin;
