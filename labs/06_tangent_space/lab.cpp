@@ -50,7 +50,7 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.choice("view", view_, views,
-                     "the right way and three mistakes, one picture by the knobs, or a cube that is turned");
+                     "the right way and four mistakes, one picture by the knobs, or a cube that is turned");
         knobs.choice("show", show_, shows,
                      KnobHelp("half of each mistake as the angle to the right normal, or the light alone")
                          .only("view", {"compare"}));
@@ -68,6 +68,10 @@ public:
                      KnobHelp("make each pixel's frame orthonormal").only("view", {"one"}).titled("Gram-Schmidt"));
         knobs.toggle("inverse_transpose", inverse_transpose_,
                      KnobHelp("transform normals by the inverse transpose").only("view", {"one"}));
+        knobs.choice("tangent_by", tangent_by_, tangent_matrices,
+                     KnobHelp("transform tangents by the model's matrix, or by the inverse transpose, as normals")
+                         .only("view", {"one"})
+                         .titled("Tangent by"));
         knobs.choice("order", order_, orders,
                      KnobHelp("the model's matrices multiplied first, or the normal transformed by one after the other")
                          .titled("Matrix order"));
@@ -116,21 +120,25 @@ public:
 private:
     /// The definitions of a variant. Empty ones are the correct choice.
     struct Way {
-        const char *title, *frame, *normals, *turn;
+        const char *title, *frame, *normals, *tangent, *turn;
         double degrees;  ///< by which the model turns, beside `rotate`
     };
-    static constexpr std::array<Way, 4> comparisons = {{{"right", "", "", "", 0},
-                                                        {"frame as interpolated", "AS_INTERPOLATED", "", "", 0},
-                                                        {"normal by the model's matrix", "", "MODEL_MATRIX", "", 0},
-                                                        {"tangent not turned", "", "", "TANGENT_STAYS", 0}}};
-    static constexpr std::array<Way, 3> turned_cubes = {{{"as it was made", "", "", "", 0},
-                                                         {"turned by 90 degrees", "", "", "", -90},
-                                                         {"normals not turned", "", "MODEL_SPACE", "", -90}}};
+    static constexpr const char* as_normal = "TANGENT_AS_NORMAL";
+    static constexpr std::array<Way, 5> comparisons = {
+        {{"right", "", "", "", "", 0},
+         {"frame as interpolated", "AS_INTERPOLATED", "", "", "", 0},
+         {"normal by the model's matrix", "", "MODEL_MATRIX", "", "", 0},
+         {"tangent by the inverse transpose", "", "", as_normal, "", 0},
+         {"tangent not turned", "", "", "", "TANGENT_STAYS", 0}}};
+    static constexpr std::array<Way, 3> turned_cubes = {{{"as it was made", "", "", "", "", 0},
+                                                         {"turned by 90 degrees", "", "", "", "", -90},
+                                                         {"normals not turned", "", "MODEL_SPACE", "", "", -90}}};
     enum View { compare, one, turned };
     enum Show { half_and_half, light };
     enum NormalsFrom { from_map, from_vertices };
     enum Map { bricks, one_texel, of_model, own };
     enum LightIn { world_space, tangent_space };
+    enum TangentBy { by_matrix, by_inverse_transpose };
     enum Trouble { none, leaning, along_normal, missing };
     static constexpr std::array views = {"compare", "one", "turned"};
     static constexpr std::array shows = {"half-and-half", "light"};
@@ -138,6 +146,7 @@ private:
     static constexpr std::array sources = {"map", "vertices"};
     static constexpr std::array maps = {"bricks", "one-texel", "model"};
     static constexpr std::array spaces = {"world", "tangent"};
+    static constexpr std::array tangent_matrices = {"matrix", "inverse-transpose"};
     static constexpr std::array orders = {"product", "one-by-one"};
     static constexpr auto troubles = choices<Trouble>({{none, "none"},
                                                        {leaning, "leaning", "TANGENT_LEANING"},
@@ -149,7 +158,7 @@ private:
     }
     Way chosen() const {
         return {"", gram_schmidt_ ? "" : "AS_INTERPOLATED", inverse_transpose_ ? "" : "MODEL_MATRIX",
-                turn_tangent_ ? "" : "TANGENT_STAYS", 0};
+                tangent_by_ == by_matrix ? "" : as_normal, turn_tangent_ ? "" : "TANGENT_STAYS", 0};
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         constexpr std::array counts = {int(comparisons.size()), 1, int(turned_cubes.size())};
@@ -177,7 +186,7 @@ private:
         // Without a scaling, both orders apply the rotation alone.
         const Define order = order_ == 1 && scaling() != glm::dvec3(1) ? "ONE_BY_ONE" : "";
         const Program& surface =
-            map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
+            map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.tangent, way.turn,
                                  turn() != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
                                  troubles.define(trouble_), order})
                 : surface_.with({frame.probe, way.normals, order});
@@ -282,7 +291,7 @@ private:
     Labels labels_;
 
     int view_ = compare, show_ = half_and_half, shape_ = 0, normals_from_ = from_map, map_ = bricks,
-        light_in_ = world_space, size_ = 0, trouble_ = none, order_ = 0;
+        light_in_ = world_space, size_ = 0, trouble_ = none, order_ = 0, tangent_by_ = by_matrix;
     bool gram_schmidt_ = true, inverse_transpose_ = true, turn_tangent_ = true;
     glm::vec3 scale_{1.35f, 0.75f, 0.9f};
     float strength_ = 1, turn_ = 60, rotate_ = 0, light_yaw_ = -40, light_height_ = 2.2f, light_distance_ = 3;

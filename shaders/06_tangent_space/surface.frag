@@ -70,7 +70,11 @@ mat3 frame_here(vec3 normal) {
 #endif
     // Where the model is mirrored, so is the frame.
     float handedness = determinant(m) < 0.0 ? -v_tangent.w : v_tangent.w;
-    tangent = m * tangent;
+#ifdef TANGENT_AS_NORMAL
+    tangent = world_normal(tangent, m);  // the fault that tangent_by shows
+#else
+    tangent = world_tangent(tangent, m);
+#endif
 #ifdef AS_INTERPOLATED
     return mat3(tangent, handedness * cross(normal, tangent), normal);
 #else

@@ -67,3 +67,16 @@ vec3 turned_tangent(vec3 tangent, vec3 bitangent, float angle) {
     //| return unfinished(tangent);
     //]
 }
+
+// TASK 6.5 (2 points): transform a tangent of the model to the world. Any length will do: 6.1 normalises it. m maps
+// points of the model to the world. A tangent is the difference of two near points of the surface: which matrix maps
+// it? Not that of 6.3, which keeps normals perpendicular to the surface.
+//(tangent
+vec3 world_tangent(vec3 tangent, mat3 m) {
+    //[solution
+    return m * tangent;
+    //]starter
+    //| return unfinished(tangent);
+    //]
+}
+//)

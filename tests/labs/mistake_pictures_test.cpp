@@ -2,6 +2,7 @@
 #include "framework/staff/grade/mistake_pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -98,22 +99,28 @@ TEST(MistakePictures, ARiddleShowsItsMistakeInAPublicViewBesideThreeOtherHints) 
         ++riddles;
         EXPECT_EQ(riddle->check->task, task.id);
         EXPECT_FALSE(riddle->check->hidden);
-        ASSERT_EQ(std::set<std::string>(riddle->hints.begin(), riddle->hints.end()).size(), 4U) << task.id;
-        EXPECT_GE(double(difference(riddle->right, riddle->wrong, 24.0 / 255 + 1e-6).pixels_over),
+        std::set<std::string> hints;
+        for (const auto& choice : riddle->choices) hints.insert(choice.hint);
+        ASSERT_EQ(hints.size(), 4U) << task.id;
+        const Image& wrong = riddle->choices[riddle->answer].picture;
+        EXPECT_GE(double(difference(riddle->right, wrong, 24.0 / 255 + 1e-6).pixels_over),
                   0.05 * double(riddle->right.pixel_count()));
         // Of all mistakes with one of these hints, only those with the answer's draw the picture.
         Shot shot = riddle->check->shot;
-        shot.size = {riddle->wrong.width, riddle->wrong.height};
+        shot.size = {wrong.width, wrong.height};
         if (!riddle->is_probe) shot.probe = {};
+        std::array<bool, 4> is_drawn{}, is_shown{};  // by a mistake of the task with this hint; as the choice's picture
         for (const MistakeInfo& mistake : manifest.mistakes)
             for (size_t i = 0; i < 4; ++i) {
-                if (mistake.task != task.id || mistake.hint != riddle->hints[i]) continue;
+                if (mistake.task != task.id || mistake.hint != riddle->choices[i].hint) continue;
                 const auto drawn = std::move(pictures.draw(mistake, {shot}).front().image);
                 if (!drawn) continue;
                 const Image seen = riddle->is_probe ? visualize_probe(*drawn, manifest.probe(shot.probe.name).colors())
                                                     : visualize_picture(*drawn);
-                EXPECT_EQ(seen.values == riddle->wrong.values, i == riddle->answer) << task.id << " " << mistake.id;
+                EXPECT_EQ(seen.values == wrong.values, i == riddle->answer) << task.id << " " << mistake.id;
+                is_drawn[i] = true, is_shown[i] |= seen.values == riddle->choices[i].picture.values;
             }
+        EXPECT_EQ(is_shown, is_drawn) << "the picture of a hint is that of its mistake: " << task.id;
     }
     EXPECT_GE(riddles, tests_all() ? 2 : 1);
 }

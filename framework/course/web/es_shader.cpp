@@ -56,10 +56,9 @@ void blank_extensions(std::string& text) {
     }
 }
 
-/// Returns the line ends in a part of a text.
-std::string lines_of(const std::string& text, size_t begin, size_t end) {
-    return std::string(
-        size_t(std::count(text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end), '\n')), '\n');
+/// Returns the line ends of a text.
+std::string line_ends(std::string_view text) {
+    return std::string(size_t(std::count(text.begin(), text.end(), '\n')), '\n');
 }
 
 /// Returns the changes that remove the suffix of numbers in double precision.
@@ -86,8 +85,8 @@ std::vector<Change> changed_declarations(const std::string& text, const std::vec
         first = i + 1;
         if (token == "}" || begin == end) continue;
         if (has("gl_FragDepth"))
-            changes.push_back(
-                {begin->begin, tokens[i].end - begin->begin, lines_of(text, begin->begin, tokens[i].end)});
+            changes.push_back({begin->begin, tokens[i].end - begin->begin,
+                               line_ends(text.substr(begin->begin, tokens[i].end - begin->begin))});
         else if (stage == EsStage::vertex && begin->text == "out" && begin + 1 != end && is_whole(begin[1].text))
             changes.push_back({begin->begin, 0, "flat "});
     }
@@ -184,16 +183,33 @@ private:
     const std::vector<CodeToken>& tokens_;
 };
 
+/// Returns the changes that limit the loops of a macro in place of its #define line, or none if it has no loops.
+std::vector<Change> limited_macro(const std::string& text, const CodeToken& line) {
+    const std::vector<CodeToken> tokens = tokens_of_directive(line);
+    const std::vector<Change> loops = LoopReader(tokens).changes(0, line.text.size());
+    if (loops.empty()) return {};
+    std::string limited = changed(line.text, loops);
+    const std::string ends = line_ends(text.substr(line.begin, line.end - line.begin));
+    limited += ends.substr(line_ends(limited).size());  // lines that a backslash joined
+    return {{line.begin, line.end - line.begin, limited}};
+}
+
 /// Returns the changes of the loops of a task file. Its lines after the last #include stand in the text as they are;
 /// if they do not, all loops count.
 std::vector<Change> limited_loops(const std::string& text, const std::vector<CodeToken>& tokens,
                                   const std::string& task) {
     if (task.empty()) return {};
     const size_t last = task.rfind("#include"),
-                 begin = last == task.npos ? 0 : std::min(task.find('\n', last), task.size());
-    const size_t at = text.find(task.substr(begin));
-    return at == text.npos ? LoopReader(tokens).changes(0, text.size())
-                           : LoopReader(tokens).changes(at, at + task.size() - begin);
+                 own = last == task.npos ? 0 : std::min(task.find('\n', last), task.size());
+    const size_t at = text.find(task.substr(own));
+    const size_t begin = at == text.npos ? 0 : at, end = at == text.npos ? text.size() : at + task.size() - own;
+    std::vector<Change> changes = LoopReader(tokens).changes(begin, end);
+    for (const CodeToken& token : all_tokens(text)) {
+        if (token.kind != CodeToken::directive || token.begin < begin || token.begin >= end) continue;
+        const std::vector<Change> macro = limited_macro(text, token);
+        changes.insert(changes.end(), macro.begin(), macro.end());
+    }
+    return changes;
 }
 
 }  // namespace

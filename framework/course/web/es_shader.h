@@ -17,10 +17,10 @@ inline constexpr int most_rounds = 1 << 13;
 /// - Outputs of a vertex stage that are whole numbers become `flat`, as ES wants.
 /// - Doubles become floats.
 /// - A vertex stage adds `uniform vec2 relief_move`, in clip space, to each position.
-/// - The loops of `task`, the text of a task file, have most_rounds rounds together in each invocation, so that an
-/// endless
-///   one ends. A loop that counts to a constant stays as it is: a compiler may have to unroll it. So do loops in
-///   macros, and those that declare a variable in their condition.
+/// - The loops of `task`, the text of a task file, and of its macros have most_rounds rounds together in each
+///   invocation, so that an endless one ends. A loop that counts to a constant stays as it is: a compiler may have to
+///   unroll it. So do those that declare a variable in their condition, and a `while` whose condition is outside of
+///   its macro.
 /// - `precise` and the declared direction of gl_FragDepth are dropped, as are #extension lines.
 std::string es_shader(const std::string& text, EsStage stage, const std::string& task = {});
 

@@ -54,12 +54,17 @@ void draw_riddles(const std::vector<QuizPart>& parts, const std::filesystem::pat
         lab = of_lab;
         json message{{"task", task.id}, {"driver", describe_context().driver()}};
         if (const auto riddle = grade::riddle_of(*pictures, *lab, task, quiz_side)) {
-            for (const auto& [name, image] : {std::pair("right", &riddle->right), {"wrong", &riddle->wrong}})
+            const auto write = [&](const std::string& name, const Image& image) {
                 pages::write_beside_page(folder / (task.id + "-" + name + ".png"),
-                                         encode_image(*image, ImageFormat::png));
+                                         encode_image(image, ImageFormat::png));
+            };
+            write("right", riddle->right);
+            for (size_t i = 0; i < riddle->choices.size(); ++i) {
+                write(letter_of(i), riddle->choices[i].picture);
+                message["hints"].push_back(riddle->choices[i].hint);
+            }
             message["width"] = riddle->right.width, message["height"] = riddle->right.height;
-            message["check"] = riddle->check->name, message["hints"] = riddle->hints;
-            message["answer"] = riddle->answer;
+            message["check"] = riddle->check->name, message["answer"] = riddle->answer;
             message["probe"] = riddle->is_probe ? riddle->check->shot.probe.name : "";
         }
         say(message.dump(-1, ' ', false, json::error_handler_t::replace));
@@ -71,7 +76,8 @@ pages::Fields quiz_fields(const TaskInfo& task, const json& drawn) {
     const size_t answer = drawn.at("answer");
     pages::List choices;
     for (size_t i = 0; i < hints.size(); ++i)
-        choices.push_back(pages::Fields{{"letter", letter_of(i)}, {"hint", pages::with_code(hints[i])}});
+        choices.push_back(pages::Fields{
+            {"letter", letter_of(i)}, {"hint", pages::with_code(hints[i])}, {"is_answer", i == answer}});
     return {{"id", task.id},
             {"title", task.title},
             {"check", drawn.at("check").get<std::string>()},
@@ -79,8 +85,7 @@ pages::Fields quiz_fields(const TaskInfo& task, const json& drawn) {
             {"width", drawn.at("width").get<int>()},
             {"height", drawn.at("height").get<int>()},
             {"choices", std::move(choices)},
-            {"answer", letter_of(answer)},
-            {"answer_hint", pages::with_code(hints.at(answer))}};
+            {"answer", letter_of(answer)}};
 }
 
 }  // namespace
@@ -108,8 +113,10 @@ void write_quiz(const std::vector<const LabEntry*>& labs, const std::filesystem:
             if (const auto found = drawn.find(task.id); found != drawn.end())
                 riddles.push_back(quiz_fields(task, found->second));
         if (riddles.empty()) continue;
-        all.push_back(
-            pages::Fields{{"number", lab->two_digits()}, {"title", manifest.title}, {"riddles", std::move(riddles)}});
+        const pages::Fields named = {{"number", lab->two_digits()}, {"title", manifest.title}};
+        if (!all.empty()) all.back().fields["next"] = named;
+        all.push_back(pages::Fields{named});
+        all.back().fields.insert({{"riddles", std::move(riddles)}, {"next", {}}});
     }
     if (all.empty()) throw Error("no task has four mistakes that a picture tells apart");
     write_file(folder / "index.html", pages::render({.title = "Relief: which mistake made this picture?",

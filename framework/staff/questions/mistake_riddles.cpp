@@ -141,10 +141,9 @@ std::optional<MistakeRiddle> riddle_of(MistakePictures& pictures, const LabEntry
                 best_weight = weight;
                 std::mt19937 dice = dice_of(task.id);
                 shuffle(choices, dice);
-                best =
-                    MistakeRiddle{.check = views[view].check, .is_probe = with_probes, .right = right, .wrong = wrong};
+                best = MistakeRiddle{.check = views[view].check, .is_probe = with_probes, .right = right};
                 for (size_t i = 0; i < choices.size(); ++i) {
-                    best->hints.push_back(hints[choices[i]]);
+                    best->choices.push_back({hints[choices[i]], drawn[view].pictures[choices[i]]});
                     if (choices[i] == asked) best->answer = i;
                 }
             }

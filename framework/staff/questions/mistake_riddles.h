@@ -17,11 +17,15 @@ std::vector<size_t> choices_beside(size_t asked, const Image& right, std::span<c
                                    const std::vector<std::string>& hints);
 
 struct MistakeRiddle {
-    const CheckInfo* check = nullptr;     ///< public; it has the view
-    bool is_probe = false;                ///< the pictures show the check's probe as colours
-    Image right = {}, wrong = {};         ///< 8-bit
-    std::vector<std::string> hints = {};  ///< four
-    size_t answer = 0;                    ///< index of the hint that belongs to `wrong`
+    struct Choice {
+        std::string hint;
+        Image picture;  ///< what the mistake of the hint draws
+    };
+    const CheckInfo* check = nullptr;  ///< public; it has the view
+    bool is_probe = false;             ///< the pictures show the check's probe as colours
+    Image right = {};                  ///< 8-bit, as those of the choices
+    std::vector<Choice> choices = {};  ///< four
+    size_t answer = 0;                 ///< index of the choice whose picture is shown
 };
 
 /// Returns a riddle about a task in a shader, the same with each call; nothing if no public view of the task shows one.

@@ -395,14 +395,14 @@ TEST(Quiz, AsksWithoutScriptsAndTellsNothingOfTheEdits) {
     const int questions = count("article");
     EXPECT_GE(questions, 2);
     EXPECT_EQ(count("article li"), 4 * questions);
-    EXPECT_EQ(count("article img"), 2 * questions);
-    EXPECT_EQ(count("details"), questions);
+    EXPECT_EQ(count("article img"), (2 + 3) * questions);
     EXPECT_EQ(count("details[open]"), 0);
     EXPECT_EQ(browser().eval("[...document.querySelectorAll('article')].every(one => {"
-                             " const [letter, hint] = one.querySelector('details p').textContent.split(/\\. (.*)/s);"
-                             " return one.querySelectorAll('li')['ABCD'.indexOf(letter)].textContent == hint; })"),
+                             " const yes = one.querySelectorAll('.yes'), letter = yes[0].closest('li').querySelector('b');"
+                             " return yes.length == 1 && one.querySelectorAll('.no').length == 3 &&"
+                             "   one.querySelectorAll('.pair img')[1].src.endsWith(`-${letter.textContent}.png`); })"),
               true)
-        << "the answer is the hint of its letter";
+        << "one hint is the picture's";
 }
 
 /// The page of lab 02's mistakes.

@@ -82,6 +82,17 @@ TEST(EsShader, ALoopThatMayNotEndHasALimitOfRounds) {
     EXPECT_NE(es_shader(version + limited("for ("), EsStage::vertex, "for"), "");
 }
 
+TEST(EsShader, LoopsInMacrosOfATaskFileHaveALimitAndKeepTheirLines) {
+    const std::string task =
+        "#define FOREVER while (true)\n#define ADD(n) for (int i = 0; i < n; ++i) \\\n    ++x;\n#define TWO 2\n"
+        "void f() { FOREVER ADD(3) }\n";
+    const std::string text = es_shader(version + task, EsStage::fragment, task);
+    EXPECT_EQ(text.substr(text.find("#line 2\n") + 8),
+              "#define FOREVER while (relief_goes_on() && (true))\n"
+              "#define ADD(n) for (int i = 0; relief_goes_on() && (i < n); ++i)     ++x;\n\n#define TWO 2\n"
+              "void f() { FOREVER ADD(3) }\n");
+}
+
 TEST(EsShader, OnlyTheLoopsOfATaskFileHaveALimit) {
     const std::string task = "#include \"common/unfinished.glsl\"\nvoid f() { while (true) {} }\n";
     const std::string own = task.substr(task.find('\n') + 1), other = "void g() { while (true) {} }\n";
