@@ -118,6 +118,7 @@ public:
         draw_hero();
         for (const auto& [name, other] : others_) other.copy();
         write_file(folder_ / "accessibility.html", accessibility());
+        if (has_sources()) write_file(folder_ / sources_page, pages::text_page(sources_text, labs_));
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
             if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
@@ -137,6 +138,9 @@ public:
     }
 
 private:
+    static constexpr const char *sources_text = "labs/staff/SHOWN.md", *sources_page = "sources.html";
+    bool has_sources() const { return !is_live_ && fs::exists(course_root() / sources_text); }
+
     std::string put(const std::string& name, const Image& image) const {
         pages::write_beside_page(folder_ / name, encode_image(image, ImageFormat::png));
         return name;
@@ -319,6 +323,7 @@ private:
         add("Speed and error", others_.at("bench").place("index.html"));
         add("Which mistake made this picture?", others_.at("quiz").place("index.html"));
         if (pages_.size() == registry().size()) add("Ways through the course", "#paths");
+        add("Where each source is shown", has_sources() ? sources_page : "");
         return links;
     }
 
@@ -328,6 +333,8 @@ private:
         std::vector<const Manifest*> labs;
         for (const pages::LabPage& page : pages_) labs.push_back(page.manifest);
         pages::List list;
+        double all_hours = 0;
+        for (const Manifest* lab : labs) all_hours += lab->hours;
         for (const CoursePath& path : course_paths) {
             const std::vector<CourseWeek> all = weeks_of(path, labs);
             double hours = 0;
@@ -346,8 +353,10 @@ private:
             }
             if (weeks.size() < all.size()) continue;
             list.push_back(
-                pages::Fields{{"path", path.title}, {"hours", hours_text(hours)}, {"weeks", std::move(weeks)}});
+                pages::Fields{{"path", path.title}, {"hours", hours_text(hours)}, {"weeks", pages::rows(std::move(weeks))}});
         }
+        list.push_back(
+            pages::Fields{{"path", "Everything"}, {"hours", hours_text(all_hours)}, {"weeks", ""}});
         return pages::rows(std::move(list));
     }
 

@@ -320,6 +320,17 @@ std::vector<VaryInfo> read_vary(Table table) {
     return all;
 }
 
+QuestionInfo read_question(Table& table) {
+    QuestionInfo question;
+    question.asks = table.text("asks");
+    question.right = table.text("right");
+    table.read("wrong", question.wrong);
+    question.why = table.text("why");
+    if (question.wrong.size() < 2) table.fail("wrong", "'wrong' has two answers or more");
+    table.finish();
+    return question;
+}
+
 EquivalentInfo read_equivalent(Table& table, const Manifest& manifest) {
     EquivalentInfo equivalent;
     equivalent.id = table.text("id");
@@ -506,7 +517,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     if (!manifest.goldens.empty()) manifest.cover = manifest.goldens.front().name;
     root.read("cover", manifest.cover);
     if (!manifest.cover.empty()) require(root, "cover", [&] { manifest.golden(manifest.cover); });
-    for (const char* key : {"mistake", "equivalent", "vary"})
+    for (const char* key : {"mistake", "equivalent", "question", "vary"})
         if (root.has(key))
             root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));
     root.finish();
@@ -529,6 +540,7 @@ void add_grading(Manifest& manifest, const std::string& text, const fs::path& fi
     for (size_t i = 0; i < mistakes.size(); ++i)
         if (const std::string& other = manifest.mistakes[i].same_as; !other.empty())
             require(mistakes[i], "same_as", [&] { manifest.mistake(other); });
+    for (Table& table : root.tables("question")) manifest.questions.push_back(read_question(table));
     if (auto vary = root.table("vary")) manifest.vary = read_vary(*vary);
     for (Table& table : root.tables("equivalent")) {
         EquivalentInfo equivalent = read_equivalent(table, manifest);

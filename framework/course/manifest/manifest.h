@@ -110,6 +110,13 @@ struct EquivalentInfo {
     std::vector<Edit> edits;  ///< only of files that tasks name, because a submission contains no others
 };
 
+/// A question about what a lab teaches, for what no picture of a known mistake can ask.
+struct QuestionInfo {
+    std::string asks, right;
+    std::vector<std::string> wrong;  ///< two or more answers
+    std::string why;                 ///< said with the right answer
+};
+
 /// The comparison on a lab's page: one shot for each value of a knob.
 struct CompareInfo {
     static constexpr glm::ivec2 usual_size{560, 420};
@@ -146,6 +153,7 @@ struct Manifest {
     std::vector<std::string> example_includes;  ///< see Calls::includes
     std::vector<VaryInfo> vary;
     std::vector<EquivalentInfo> equivalents;
+    std::vector<QuestionInfo> questions;
     std::optional<CompareInfo> compare;
     std::vector<GoldenInfo> goldens;
     /// Name of the reference screenshot that stands for the lab among other labs: one scene without captions. The first
@@ -173,10 +181,10 @@ Manifest parse_manifest(const std::string& text, const std::filesystem::path& fi
 /// The name of the probe of ExampleInfo::calls. No lab has a probe with this name.
 inline constexpr const char* calls_probe = "calls";
 
-/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, hidden examples, edits of the public
-/// examples, and knobs that vary. Each
-/// task whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
-/// Otherwise a submission could be right in the probe, and wrong in the picture that a person sees.
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, questions, hidden examples, edits of the
+/// public examples, and knobs that vary. Each task whose checks all read a probe gets a hidden check more: the picture
+/// of its first check must be the solution's. Otherwise a submission could be right in the probe, and wrong in the
+/// picture that a person sees.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 

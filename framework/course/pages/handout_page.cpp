@@ -30,6 +30,27 @@ PagePicture drawing_of(const std::string& svg, const fs::path& file) {
     }
 }
 
+/// Returns the headings of the second level.
+Value chapters_of(const List& blocks) {
+    List chapters;
+    for (const Value& block : blocks)
+        if (block.fields.at("heading").text == "2")
+            chapters.push_back(Fields{{"id", block.fields.at("id")}, {"title", block.fields.at("title")}});
+    return rows(std::move(chapters));
+}
+
+/// Returns the page of a link in a file of a folder of the course, or nothing if it has none.
+std::optional<std::string> page_of_link(const fs::path& folder, const std::string& target,
+                                        std::span<const LabEntry* const> labs) {
+    if (target.starts_with("https://") || target.starts_with("http://") || target.starts_with("#")) return target;
+    const size_t hash = target.find('#');
+    const fs::path file = (folder / target.substr(0, hash)).lexically_normal();
+    for (const LabEntry* lab : labs)
+        if (file == fs::path("labs") / lab->folder / "README.md")
+            return handout_file(*lab) + (hash == std::string::npos ? "" : target.substr(hash));
+    return {};
+}
+
 class Handout {
 public:
     Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs, const PutPicture& put,
@@ -38,7 +59,7 @@ public:
 
     /// `in_words`: changes the handout's Markdown.
     List blocks(const std::function<std::string(const std::string&)>& in_words = {}) const {
-        const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
+        const PagePlaces places{.link = [this](const std::string& target) { return page_of_link(home_, target, labs_); },
                                 .picture = [this](const std::string& target) { return picture(target); }};
         const fs::path file = course_root() / home_ / "README.md";
         const std::string text = with_sources(read_file(file, size_t{1} << 24), load_sources(), file);
@@ -47,7 +68,7 @@ public:
 
     std::string page() const {
         List text = blocks();
-        List contents = chapters_of(text);
+        Value contents = chapters_of(text);
         const bool has_moving = std::any_of(text.begin(), text.end(), [](const Value& block) {
             const Value& figure = block.fields.at("figure");
             return figure.kind == Value::Kind::fields && figure.fields.at("moving").kind != Value::Kind::nothing;
@@ -57,32 +78,17 @@ public:
                        .styles = {"site", "markdown", "picture_words"},
                        .scripts = has_moving ? std::vector<std::string>{"drawings"} : std::vector<std::string>(),
                        .pictures = PagePictures::beside},
-                      {{"lab", lab_page_file(lab_)},
-                       {"number", lab_.two_digits()},
-                       {"title", manifest_.title},
-                       {"contents", rows(std::move(contents))},
+                      {{"up", lab_page_file(lab_)},
+                       {"up_title", lab_.two_digits() + " " + manifest_.title},
+                       {"contents", std::move(contents)},
                        {"blocks", std::move(text)},
                        {"previous", neighbour(-1)},
                        {"next", neighbour(1)}});
     }
 
 private:
-    /// Returns the path inside the course of a target in the handout.
-    fs::path inside(const std::string& target) const {
-        return (home_ / target.substr(0, target.find('#'))).lexically_normal();
-    }
-
-    std::optional<std::string> link(const std::string& target) const {
-        if (target.starts_with("https://") || target.starts_with("http://") || target.starts_with("#")) return target;
-        const size_t hash = target.find('#');
-        for (const LabEntry* other : labs_)
-            if (inside(target) == fs::path("labs") / other->folder / "README.md")
-                return handout_file(*other) + (hash == std::string::npos ? "" : target.substr(hash));
-        return {};
-    }
-
     std::optional<PagePicture> picture(const std::string& target) const {
-        const fs::path file = inside(target);
+        const fs::path file = (home_ / target).lexically_normal();
         if (file.is_absolute() || file.begin()->string() == "..") return {};
         PagePicture shown;
         const std::string name = lab_.folder + "/handout-" + file.filename().string();
@@ -116,14 +122,6 @@ private:
         return fmt::format("./relief shot {} {}", lab_.two_digits(), shot_text(golden.shot, manifest_.camera));
     }
 
-    static List chapters_of(const List& blocks) {
-        List chapters;
-        for (const Value& block : blocks)
-            if (block.fields.at("heading").text == "2")
-                chapters.push_back(Fields{{"id", block.fields.at("id")}, {"title", block.fields.at("title")}});
-        return chapters;
-    }
-
     Value neighbour(int step) const {
         const auto here = std::find(labs_.begin(), labs_.end(), &lab_);
         const auto place = here - labs_.begin() + step;
@@ -153,6 +151,26 @@ List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<con
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                          const PutPicture& put, const DrawGolden& draw) {
     return Handout(lab, manifest, labs, put, draw).page();
+}
+
+std::string text_page(const fs::path& file, std::span<const LabEntry* const> labs) {
+    const PagePlaces places{
+        .link = [&](const std::string& target) { return page_of_link(file.parent_path(), target, labs); },
+        .picture = [](const std::string&) { return std::optional<PagePicture>(); }};
+    const std::vector<Block> text = parse_markdown(read_file(course_root() / file, size_t{1} << 24));
+    List blocks = markdown_blocks(text, places);
+    Value contents = chapters_of(blocks);
+    return render({.title = "Relief: " + (text.empty() ? "" : plain_text(text.front().spans)),
+                   .body = "handout",
+                   .styles = {"site", "markdown"},
+                   .scripts = {},
+                   .pictures = PagePictures::beside},
+                  {{"up", "index.html"},
+                   {"up_title", "All labs"},
+                   {"contents", std::move(contents)},
+                   {"blocks", std::move(blocks)},
+                   {"previous", ""},
+                   {"next", ""}});
 }
 
 }  // namespace relief::pages

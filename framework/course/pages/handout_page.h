@@ -2,6 +2,7 @@
 // the next and previous handout.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -36,5 +37,9 @@ List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<con
 /// formula.
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                          const PutPicture& put, const DrawGolden& draw);
+
+/// Returns a page of another Markdown file of the course, without pictures. `file` is relative to the course's top
+/// folder. Links to the handouts of `labs` lead to their pages.
+std::string text_page(const std::filesystem::path& file, std::span<const LabEntry* const> labs);
 
 }  // namespace relief::pages

@@ -15,6 +15,7 @@
 #include "framework/course/pages/figures.h"
 #include "framework/course/pages/page.h"
 #include "framework/staff/app/share.h"
+#include "framework/staff/questions/dice.h"
 #include "framework/staff/questions/mistake_riddles.h"
 
 namespace relief::app {
@@ -71,21 +72,45 @@ void draw_riddles(const std::vector<QuizPart>& parts, const std::filesystem::pat
     }
 }
 
-pages::Fields quiz_fields(const TaskInfo& task, const json& drawn) {
+/// Returns the fields of a choice, for one with a picture of its own or without.
+pages::Fields choice_fields(size_t place, const std::string& text, bool is_answer, const std::string& said) {
+    return {{"letter", letter_of(place)},
+            {"hint", pages::with_code(text)},
+            {"is_answer", is_answer},
+            {"said", pages::with_code(said)}};
+}
+
+pages::Fields riddle_fields(const TaskInfo& task, const json& drawn) {
     const std::vector<std::string> hints = drawn.at("hints");
     const size_t answer = drawn.at("answer");
     pages::List choices;
     for (size_t i = 0; i < hints.size(); ++i)
-        choices.push_back(pages::Fields{
-            {"letter", letter_of(i)}, {"hint", pages::with_code(hints[i])}, {"is_answer", i == answer}});
-    return {{"id", task.id},
+        choices.push_back(choice_fields(i, hints[i], i == answer,
+                                        i == answer ? "this mistake draws the picture." : "this mistake draws this:"));
+    return {{"place", task.id},
+            {"id", task.id},
             {"title", task.title},
-            {"check", drawn.at("check").get<std::string>()},
-            {"probe", drawn.at("probe").get<std::string>()},
-            {"width", drawn.at("width").get<int>()},
-            {"height", drawn.at("height").get<int>()},
-            {"choices", std::move(choices)},
-            {"answer", letter_of(answer)}};
+            {"drawn", pages::Fields{{"id", task.id},
+                                    {"check", drawn.at("check").get<std::string>()},
+                                    {"probe", drawn.at("probe").get<std::string>()},
+                                    {"width", drawn.at("width").get<int>()},
+                                    {"height", drawn.at("height").get<int>()},
+                                    {"answer", letter_of(answer)}}},
+            {"choices", std::move(choices)}};
+}
+
+/// `place`: a word that no other question of the page has.
+pages::Fields question_fields(const QuestionInfo& question, const std::string& place) {
+    std::vector<std::string> answers = {question.right};
+    answers.insert(answers.end(), question.wrong.begin(), question.wrong.end());
+    std::mt19937 dice = grade::dice_of(question.asks);
+    grade::shuffle(answers, dice);
+    pages::List choices;
+    for (size_t i = 0; i < answers.size(); ++i) {
+        const bool is_answer = answers[i] == question.right;
+        choices.push_back(choice_fields(i, answers[i], is_answer, is_answer ? question.why : "read the handout again."));
+    }
+    return {{"place", place}, {"id", ""}, {"title", question.asks}, {"drawn", ""}, {"choices", std::move(choices)}};
 }
 
 }  // namespace
@@ -94,7 +119,6 @@ void write_quiz(const std::vector<const LabEntry*>& labs, const std::filesystem:
     const std::vector<QuizPart> parts = quiz_parts(labs);
     std::map<std::string, json> drawn;  // by task
     std::string driver;
-    int count = 0;
     Progress progress{int(parts.size())};
     share_among_processes(
         parts.size(), [&](const NextPart& next, const Say& say) { draw_riddles(parts, folder, choice, next, say); },
@@ -103,22 +127,26 @@ void write_quiz(const std::vector<const LabEntry*>& labs, const std::filesystem:
             driver = message.at("driver");
             const std::string task = message.at("task");
             progress.next("task " + task);
-            if (message.contains("hints")) drawn[task] = std::move(message), ++count;
+            if (message.contains("hints")) drawn[task] = std::move(message);
         });
     pages::List all;
+    int count = 0;
     for (const LabEntry* lab : labs) {
         const Manifest manifest = load_manifest(*lab);
-        pages::List riddles;
+        pages::List questions;
         for (const TaskInfo& task : manifest.tasks)
             if (const auto found = drawn.find(task.id); found != drawn.end())
-                riddles.push_back(quiz_fields(task, found->second));
-        if (riddles.empty()) continue;
+                questions.push_back(riddle_fields(task, found->second));
+        for (const QuestionInfo& question : manifest.questions)
+            questions.push_back(question_fields(question, fmt::format("{}-{}", lab->two_digits(), questions.size())));
+        if (questions.empty()) continue;
+        count += int(questions.size());
         const pages::Fields named = {{"number", lab->two_digits()}, {"title", manifest.title}};
         if (!all.empty()) all.back().fields["next"] = named;
         all.push_back(pages::Fields{named});
-        all.back().fields.insert({{"riddles", std::move(riddles)}, {"next", {}}});
+        all.back().fields.insert({{"questions", std::move(questions)}, {"next", {}}});
     }
-    if (all.empty()) throw Error("no task has four mistakes that a picture tells apart");
+    if (all.empty()) throw Error("no task has four mistakes that a picture tells apart, and the lab has no questions");
     write_file(folder / "index.html", pages::render({.title = "Relief: which mistake made this picture?",
                                                      .body = "framework/staff/pages/quiz",
                                                      .styles = {"framework/staff/pages/quiz"},

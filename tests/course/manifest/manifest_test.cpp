@@ -103,6 +103,18 @@ shot = { set = { steps = 4, scale = 0.5, shadows = false, method = "cone" }, pro
     EXPECT_EQ(shot.camera.distance, 2.5) << "what a shot leaves out is the lab's";
 }
 
+TEST(Manifest, QuestionsAreTheStaffsAndHaveTwoWrongAnswersOrMore) {
+    const std::string two = "[[question]]\nasks = \"a?\"\nright = \"b\"\nwrong = [\"c\", \"d\"]\nwhy = \"e\"\n",
+                      one = "[[question]]\nasks = \"a?\"\nright = \"b\"\nwrong = [\"c\"]\nwhy = \"e\"\n";
+    Manifest manifest = load("title = \"a\"\n");
+    add_grading(manifest, two, "grading.toml");
+    ASSERT_EQ(manifest.questions.size(), 1u);
+    EXPECT_EQ(manifest.questions[0].right, "b");
+    EXPECT_EQ(manifest.questions[0].wrong, (std::vector<std::string>{"c", "d"}));
+    EXPECT_THROW(add_grading(manifest, one, "grading.toml"), Error);
+    EXPECT_TRUE(contains(refusal("title = \"a\"\n" + two), "belongs in staff/grading.toml"));
+}
+
 TEST(Manifest, StatesTimeNeedsAndWhatMayBeLeftOut) {
     const std::string begin =
         "title = \"a\"\nhours = 1\nneeds = [\"03\", \"06\", \"15\"]\nmathematics = [\"gradients\"]\n"
