@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "framework/core/image/compare.h"
@@ -294,6 +295,20 @@ TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
     const std::string json = course().relief({"list", "--json"}).out;
     EXPECT_TRUE(json.starts_with("[")) << json;
     EXPECT_TRUE(contains(json, "\"number\": 1,")) << json;
+}
+
+TEST_F(CourseTest, ListHasTheLabsOfAPathByWeeks) {
+    const std::string all = course().relief({"list", "--path", "all"}).out,
+                      some = course().relief({"list", "--path", "short"}).out;
+    EXPECT_EQ(all, course().relief({"list"}).out);
+    EXPECT_TRUE(contains(some, "week 1: ") && contains(some, "week 3: ")) << some;
+    EXPECT_TRUE(contains(some, "04  object_space")) << "the first topic of the course";
+    EXPECT_FALSE(contains(some, "02  normal_map_storage"));
+    double hours = 0;
+    for (const auto& lab : nlohmann::json::parse(course().relief({"list", "--json"}).out))
+        if (lab.at("weeks").contains("short")) hours += double(lab.at("hours"));
+    EXPECT_TRUE(contains(some, fmt::format("\ntogether {} hours\n", hours))) << some;
+    EXPECT_TRUE(contains(course().relief({"list", "--path", "shor"}).err, "did you mean 'short'?"));
 }
 
 TEST_F(CourseTest, AGalleryReportsABrokenLabAndContinues) {
