@@ -127,8 +127,8 @@ private:
     static constexpr std::array<Way, 5> comparisons = {
         {{"right", "", "", "", "", 0},
          {"frame as interpolated", "AS_INTERPOLATED", "", "", "", 0},
-         {"normal by the model's matrix", "", "MODEL_MATRIX", "", "", 0},
-         {"tangent by the inverse transpose", "", "", as_normal, "", 0},
+         {"normal by the matrix", "", "MODEL_MATRIX", "", "", 0},
+         {"tangent as a normal", "", "", as_normal, "", 0},
          {"tangent not turned", "", "", "", "TANGENT_STAYS", 0}}};
     static constexpr std::array<Way, 3> turned_cubes = {{{"as it was made", "", "", "", "", 0},
                                                          {"turned by 90 degrees", "", "", "", "", -90},

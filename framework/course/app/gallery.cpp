@@ -30,6 +30,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns the value of a knob as words: "level 4", "vertex normal".
+std::string value_in_words(const std::string& knob, const std::string& value) {
+    if (value.empty() || !std::isalpha(static_cast<unsigned char>(value.front()))) return knob + " " + value;
+    std::string words = value;
+    std::replace(words.begin(), words.end(), '-', ' ');
+    return words;
+}
+
 /// Returns the pictures of a lab's methods, one after the other on its card, if the lab is one of those whose methods
 /// differ at a glance. They are the pictures of the lab's page.
 pages::Value turning(const pages::LabPage& page) {
@@ -37,7 +45,7 @@ pages::Value turning(const pages::LabPage& page) {
     if (std::find(at_a_glance.begin(), at_a_glance.end(), page.lab->number) == at_a_glance.end()) return {};
     pages::List frames;
     for (const pages::LabPage::Method& method : page.methods)
-        frames.push_back(pages::Fields{{"picture", method.picture}, {"name", page.knob + " " + method.name}});
+        frames.push_back(pages::Fields{{"picture", method.picture}, {"name", value_in_words(page.knob, method.name)}});
     if (frames.size() < 2) return {};
     return pages::Fields{{"count", frames.size()}, {"frames", std::move(frames)}};
 }
