@@ -15,7 +15,7 @@
 #include "framework/core/gl/gl.h"
 #include "framework/course/check/calls.h"
 #include "framework/course/check/fingerprints.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 #include "framework/course/manifest/paths.h"
 #include "framework/course/task/code_definitions.h"
 #include "framework/course/task/starter.h"
@@ -287,8 +287,8 @@ TEST_P(Course, TheSolutionPassesEveryCheck) {
 }
 
 // Otherwise a check's result would depend on the checks before it.
-TEST_P(Course, KeptLabsDrawTheBitsOfNewOnes) {
-    check::KeptLabs kept(GetParam());
+TEST_P(Course, AKeptLabDrawsTheBitsOfNewOnes) {
+    check::KeptLab kept(GetParam());
     for (const CheckInfo& check : manifest_.checks) {
         const Image expected = draw_shot(*check::make_drawer(GetParam(), check.shot), check.shot);
         EXPECT_EQ(draw_shot(kept.drawer_of(check.shot), check.shot).values, expected.values) << check.name;

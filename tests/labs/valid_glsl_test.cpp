@@ -10,7 +10,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/program.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 #include "framework/course/manifest/manifest.h"
 #include "framework/course/task/starter.h"
 #include "framework/staff/grade/overlay.h"
@@ -34,7 +34,7 @@ Stages stages_of(const LabEntry& lab, const Manifest& manifest) {
     shots[0].camera = manifest.camera;
     for (const CheckInfo& check : manifest.checks)
         if (!check.shot.calls || is_shader(check.shot.calls.file)) shots.push_back(check.shot);
-    check::KeptLabs kept(lab);
+    check::KeptLab kept(lab);
     for (Shot& shot : shots) {
         if (!shot.calls) shot.size = {64, 48};
         draw_shot(kept.drawer_of(shot), shot);

@@ -17,7 +17,7 @@
 #include "framework/core/image/file.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/hidden_checks.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 #include "framework/course/check/relation.h"
 #include "framework/course/task/rules.h"
 
@@ -42,9 +42,9 @@ std::vector<Image> moved_drawings(const LabEntry& lab, const Shot& shot, const N
     } const moving{renderer};
     std::vector<Image> drawings;
     for (const glm::vec2 move : vertex_moves) {
-        KeptLabs labs(lab);  // a kept lab would keep its textures, which were drawn without the move
+        KeptLab kept(lab);  // a kept lab would keep its textures, which were drawn without the move
         renderer.move_vertices(move);
-        drawings.push_back(draw_shot(labs.drawer_of(shot), shot));
+        drawings.push_back(draw_shot(kept.drawer_of(shot), shot));
     }
     return drawings;
 }
@@ -57,7 +57,7 @@ struct CheckRun {
 };
 
 /// Compares the picture with `run.said.expected`, and keeps both.
-void compare(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check, const NamedRenderer& renderer,
+void compare(KeptLab& kept, const Manifest& manifest, const CheckInfo& check, const NamedRenderer& renderer,
              CheckRun& run) {
     const std::string& probe = check.shot.probe.name;
     const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
@@ -67,13 +67,13 @@ void compare(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check, c
     run.said = judge(manifest, check, judged, expected);
     if (rasteriser == Rasteriser::coarse && run.said.outcome == Outcome::wrong && renderer.move_vertices) {
         judged = with_allowance(rasteriser, check, metric, run.drawn, expected,
-                                moved_drawings(labs.entry(), check.shot, renderer));
+                                moved_drawings(kept.entry(), check.shot, renderer));
         run.said = judge(manifest, check, judged, expected);
     }
     tell_leftover(manifest, check, course_texts(), run.said);
     if (run.said.outcome == Outcome::wrong)
         if (auto relation = relation_of(manifest, check, judged, expected,
-                                        [&] { return base_of(labs.entry(), manifest, check); })) {
+                                        [&] { return base_of(kept.entry(), manifest, check); })) {
             run.said.relation = relation->sentence;
             run.said.related = std::move(relation->predicted);
         }
@@ -81,7 +81,7 @@ void compare(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check, c
     run.said.expected = std::move(expected);
 }
 
-CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& check,
+CheckRun try_check(KeptLab& kept, const Manifest& manifest, const CheckInfo& check,
                    const std::optional<Image>& expected, const OtherShaders& others,
                    const NamedRenderer& renderer = {.name = "llvmpipe"}) {
     CheckRun run;
@@ -93,19 +93,19 @@ CheckRun try_check(KeptLabs& labs, const Manifest& manifest, const CheckInfo& ch
         }
         run.was_tried = true;
         if (expected) run.said.expected = *expected;
-        run.drawn = draw_shot(labs.drawer_of(check.shot), check.shot);
+        run.drawn = draw_shot(kept.drawer_of(check.shot), check.shot);
         refuse_unusable(run.drawn, check.shot);
         if (const Shot* const other = expected ? nullptr : &manifest.check(check.against).shot)
-            run.said.expected = render_shot(labs.drawer_of(*other), *other);
-        compare(labs, manifest, check, renderer, run);
+            run.said.expected = render_shot(kept.drawer_of(*other), *other);
+        compare(kept, manifest, check, renderer, run);
     } catch (const Error& error) {
-        labs.forget();
+        kept.forget();
         run.said.outcome = Outcome::broken;
         run.said.found = error.what();
         run.said.culprit = culprit_of(manifest, error.what(), course_texts());
         run.said.details = error.details();
     } catch (const std::exception& error) {
-        labs.forget();
+        kept.forget();
         run.said.outcome = Outcome::broken;
         run.said.found = fmt::format("the task throws an exception: {}", error.what());
     }
@@ -126,8 +126,8 @@ Fingerprints known_mistakes(const LabEntry& lab, const Manifest& manifest) {
 
 Verdict run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                   const std::optional<Image>& expected) {
-    KeptLabs labs(lab);
-    return try_check(labs, manifest, check, expected, OtherShaders(lab, manifest)).said;
+    KeptLab kept(lab);
+    return try_check(kept, manifest, check, expected, OtherShaders(lab, manifest)).said;
 }
 
 struct LabChecker::Memory {
@@ -154,14 +154,14 @@ LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, const Name
 LabChecker::~LabChecker() = default;
 
 const Verdict& LabChecker::run(size_t check, const std::optional<Image>& expected) {
-    KeptLabs labs(memory_->lab);
-    return run(check, expected, labs);
+    KeptLab kept(memory_->lab);
+    return run(check, expected, kept);
 }
 
-const Verdict& LabChecker::run(size_t check, const std::optional<Image>& expected, KeptLabs& labs) {
+const Verdict& LabChecker::run(size_t check, const std::optional<Image>& expected, KeptLab& kept) {
     const ComparableDrawing comparable;  // the window draws its own pictures with all that the GPU has
     auto& [lab, manifest, others, fingerprints, renderer, hidden, checks, drawn] = *memory_;
-    CheckRun run = try_check(labs, manifest, manifest.checks[check], expected, others, renderer);
+    CheckRun run = try_check(kept, manifest, manifest.checks[check], expected, others, renderer);
     checks[check] = std::move(run.said);
     drawn.erase(check);
     if (const auto places = fingerprints.checks.find(check); run.was_tried && places != fingerprints.checks.end())
@@ -219,11 +219,11 @@ std::vector<size_t> checks_in_order(const Manifest& manifest) {
     return order;
 }
 
-std::optional<Image> expected_of(KeptLabs& labs, const CheckInfo& check, const Expected& expected) {
+std::optional<Image> expected_of(KeptLab& kept, const CheckInfo& check, const Expected& expected) {
     try {
-        return expected ? expected(check) : expectation(labs, check);
+        return expected ? expected(check) : expectation(kept, check);
     } catch (const std::exception&) {
-        labs.forget();
+        kept.forget();
         // The staff's task files are the solution. If they cannot be drawn, the check says why.
         if (check.against != "solution") throw;
         return {};
@@ -232,9 +232,9 @@ std::optional<Image> expected_of(KeptLabs& labs, const CheckInfo& check, const E
 
 std::vector<TaskVerdict> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected) {
     LabChecker checker(lab, manifest);
-    KeptLabs labs(lab);
+    KeptLab kept(lab);
     for (const size_t i : checks_in_order(manifest))
-        checker.run(i, expected_of(labs, manifest.checks[i], expected), labs);
+        checker.run(i, expected_of(kept, manifest.checks[i], expected), kept);
     std::vector<TaskVerdict> tasks = checker.tasks();
     if (!expected) tell_unproven(lab, manifest, tasks);
     return tasks;

@@ -42,8 +42,8 @@ public:
     /// Runs a check, and keeps its verdict for tasks(). `expected`: the picture to compare with; if there is none, the
     /// check compares with another check.
     const Verdict& run(size_t check, const std::optional<Image>& expected);
-    /// Draws with kept labs, which no file may have changed since they were made.
-    const Verdict& run(size_t check, const std::optional<Image>& expected, KeptLabs& labs);
+    /// Draws with a kept lab. No file of it may have changed since it was made.
+    const Verdict& run(size_t check, const std::optional<Image>& expected, KeptLab& kept);
     /// Returns the result of a check's last run, and forgets it.
     CheckResult take_result(size_t check);
     /// Keeps the result of a run, here or in another process.
@@ -72,7 +72,7 @@ std::vector<size_t> checks_in_order(const Manifest& manifest);
 /// Returns the picture that a check compares with, from `expected` or from expectation(). Nothing if the solution,
 /// which it compares with, cannot be drawn: in the staff's course, the check itself says why. Throws Error if other
 /// files are missing or damaged.
-std::optional<Image> expected_of(KeptLabs& labs, const CheckInfo& check, const Expected& expected = {});
+std::optional<Image> expected_of(KeptLab& kept, const CheckInfo& check, const Expected& expected = {});
 
 /// Runs all checks of a lab in this process, task by task, and names known mistakes. Throws Error if a task has no
 /// check.

@@ -15,7 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/context/context.h"
 #include "framework/course/check/check.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 #include "framework/course/check/printed.h"
 
 namespace relief::check {
@@ -172,12 +172,12 @@ void run_checks(const LabEntry& lab, const Manifest& manifest, const std::vector
         tell({.kind = Tells::renderer, .text = renderer.name});
         tell({.kind = Tells::driver, .text = describe_context().driver()});
         Watchdog patience([&](const std::string& limit) { tell({.kind = Tells::over, .text = limit}); }, limits);
-        KeptLabs labs(lab);
+        KeptLab kept(lab);
         for (const size_t i : order) {
             patience.next();
             tell({.kind = Tells::begins, .check = i});
             if (begins) begins(manifest.checks[i]);
-            checker.run(i, expected_of(labs, manifest.checks[i]), labs);
+            checker.run(i, expected_of(kept, manifest.checks[i]), kept);
             CheckResult result = checker.take_result(i);
             Verdict& said = result.said;
             if (pictures == KeptPictures::of_failed && !has_failed(said.outcome))

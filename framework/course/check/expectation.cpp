@@ -8,7 +8,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/file.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 
 namespace relief::check {
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Image draw(KeptLabs& labs, const Shot& shot) { return render_shot(labs.drawer_of(shot), shot); }
+Image draw(KeptLab& kept, const Shot& shot) { return render_shot(kept.drawer_of(shot), shot); }
 
 }  // namespace
 
@@ -27,16 +27,16 @@ fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
 }
 
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
-    KeptLabs labs(lab);
-    return expectation(labs, check);
+    KeptLab kept(lab);
+    return expectation(kept, check);
 }
 
-std::optional<Image> expectation(KeptLabs& labs, const CheckInfo& check) {
+std::optional<Image> expectation(KeptLab& kept, const CheckInfo& check) {
     const ComparableDrawing comparable;  // as run() draws the picture that is compared with this one
     if (check.against != "truth" && check.against != "solution") return {};
-    if (is_compared_with_itself(labs.entry(), check)) return draw(labs, check.shot);
-    if (const fs::path file = expectation_file(labs.entry(), check); fs::exists(file)) return read_image(file);
-    return truth_of(labs.drawer_of(check.shot), check.shot);
+    if (is_compared_with_itself(kept.entry(), check)) return draw(kept, check.shot);
+    if (const fs::path file = expectation_file(kept.entry(), check); fs::exists(file)) return read_image(file);
+    return truth_of(kept.drawer_of(check.shot), check.shot);
 }
 
 bool is_compared_with_itself(const LabEntry& lab, const CheckInfo& check) {

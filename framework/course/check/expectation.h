@@ -14,13 +14,13 @@ struct LabEntry;
 
 namespace relief::check {
 
-class KeptLabs;
+class KeptLab;
 
 /// Returns the picture that a check compares with. It is the file in the lab's folder `expected`, if a handout put it
 /// there; else the exact values, or the picture that this course's files draw. Empty for a check that compares with
 /// another check. Drawing needs a current context.
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
-std::optional<Image> expectation(KeptLabs& labs, const CheckInfo& check);
+std::optional<Image> expectation(KeptLab& kept, const CheckInfo& check);
 /// Returns the path of the file in `expected`; it may not exist.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 

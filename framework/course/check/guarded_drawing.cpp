@@ -18,7 +18,7 @@
 #include "framework/core/base/process.h"
 #include "framework/core/base/system.h"
 #include "framework/core/lab/registry.h"
-#include "framework/course/check/kept_labs.h"
+#include "framework/course/check/kept_lab.h"
 
 namespace relief::check {
 namespace {
@@ -287,17 +287,17 @@ void draw_request(const char* course) {
     const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
     const json notes = request.value("notes", json());
-    KeptLabs labs(lab);
+    KeptLab kept(lab);
     for (size_t i = 0; i < shots.size(); ++i) {
         std::string answer;
         const std::string error = error_of(stream, [&] {
-            answer = notes.is_null() ? bytes_of(draw_shot(labs.drawer_of(shots[i]), shots[i]), bool(shots[i].probe))
+            answer = notes.is_null() ? bytes_of(draw_shot(kept.drawer_of(shots[i]), shots[i]), bool(shots[i].probe))
                                      : notes_in(lab, shots[i], notes.at("files"), notes.at("pixels").at(i));
         });
         if (error.empty()) {
             stream.send(notes.is_null() ? Kind::image : Kind::notes, i, answer);
         } else {
-            labs.forget();
+            kept.forget();
             stream.send(Kind::error, i, error.substr(0, longest_error));
         }
     }
