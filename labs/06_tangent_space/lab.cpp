@@ -124,12 +124,11 @@ private:
         double degrees;  ///< by which the model turns, beside `rotate`
     };
     static constexpr const char* as_normal = "TANGENT_AS_NORMAL";
-    static constexpr std::array<Way, 5> comparisons = {
-        {{"right", "", "", "", "", 0},
-         {"frame as interpolated", "AS_INTERPOLATED", "", "", "", 0},
-         {"normal by the matrix", "", "MODEL_MATRIX", "", "", 0},
-         {"tangent as a normal", "", "", as_normal, "", 0},
-         {"tangent not turned", "", "", "", "TANGENT_STAYS", 0}}};
+    static constexpr std::array<Way, 5> comparisons = {{{"right", "", "", "", "", 0},
+                                                        {"frame as interpolated", "AS_INTERPOLATED", "", "", "", 0},
+                                                        {"normal by the matrix", "", "MODEL_MATRIX", "", "", 0},
+                                                        {"tangent as a normal", "", "", as_normal, "", 0},
+                                                        {"tangent not turned", "", "", "", "TANGENT_STAYS", 0}}};
     static constexpr std::array<Way, 3> turned_cubes = {{{"as it was made", "", "", "", "", 0},
                                                          {"turned by 90 degrees", "", "", "", "", -90},
                                                          {"normals not turned", "", "MODEL_SPACE", "", "", -90}}};
@@ -157,8 +156,12 @@ private:
         return view_ == compare ? comparisons[tile] : view_ == turned ? turned_cubes[tile] : chosen();
     }
     Way chosen() const {
-        return {"", gram_schmidt_ ? "" : "AS_INTERPOLATED", inverse_transpose_ ? "" : "MODEL_MATRIX",
-                tangent_by_ == by_matrix ? "" : as_normal, turn_tangent_ ? "" : "TANGENT_STAYS", 0};
+        return {"",
+                gram_schmidt_ ? "" : "AS_INTERPOLATED",
+                inverse_transpose_ ? "" : "MODEL_MATRIX",
+                tangent_by_ == by_matrix ? "" : as_normal,
+                turn_tangent_ ? "" : "TANGENT_STAYS",
+                0};
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         constexpr std::array counts = {int(comparisons.size()), 1, int(turned_cubes.size())};

@@ -360,11 +360,10 @@ private:
                 hours += week.hours;
             }
             if (weeks.size() < all.size()) continue;
-            list.push_back(
-                pages::Fields{{"path", path.title}, {"hours", hours_text(hours)}, {"weeks", pages::rows(std::move(weeks))}});
+            list.push_back(pages::Fields{
+                {"path", path.title}, {"hours", hours_text(hours)}, {"weeks", pages::rows(std::move(weeks))}});
         }
-        list.push_back(
-            pages::Fields{{"path", "Everything"}, {"hours", hours_text(all_hours)}, {"weeks", ""}});
+        list.push_back(pages::Fields{{"path", "Everything"}, {"hours", hours_text(all_hours)}, {"weeks", ""}});
         return pages::rows(std::move(list));
     }
 

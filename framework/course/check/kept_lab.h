@@ -14,8 +14,8 @@ struct LabEntry;
 
 namespace relief::check {
 
-/// The lab that drew the earlier shots. It keeps its programs, textures and computed values, so that the next shot makes
-/// only what its own knobs need. Every shot is drawn as by a new lab. No file of the lab may change meanwhile.
+/// The lab that drew the earlier shots. It keeps its programs, textures and computed values, so that the next shot
+/// makes only what its own knobs need. Every shot is drawn as by a new lab. No file of the lab may change meanwhile.
 class KeptLab {
 public:
     explicit KeptLab(const LabEntry& entry) : entry_(entry) {}

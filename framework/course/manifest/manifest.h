@@ -181,10 +181,10 @@ Manifest parse_manifest(const std::string& text, const std::filesystem::path& fi
 /// The name of the probe of ExampleInfo::calls. No lab has a probe with this name.
 inline constexpr const char* calls_probe = "calls";
 
-/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, questions, hidden examples, edits of the
-/// public examples, and knobs that vary. Each task whose checks all read a probe gets a hidden check more: the picture
-/// of its first check must be the solution's. Otherwise a submission could be right in the probe, and wrong in the
-/// picture that a person sees.
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, questions, hidden examples, edits of
+/// the public examples, and knobs that vary. Each task whose checks all read a probe gets a hidden check more: the
+/// picture of its first check must be the solution's. Otherwise a submission could be right in the probe, and wrong in
+/// the picture that a person sees.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 

@@ -59,8 +59,9 @@ public:
 
     /// `in_words`: changes the handout's Markdown.
     List blocks(const std::function<std::string(const std::string&)>& in_words = {}) const {
-        const PagePlaces places{.link = [this](const std::string& target) { return page_of_link(home_, target, labs_); },
-                                .picture = [this](const std::string& target) { return picture(target); }};
+        const PagePlaces places{
+            .link = [this](const std::string& target) { return page_of_link(home_, target, labs_); },
+            .picture = [this](const std::string& target) { return picture(target); }};
         const fs::path file = course_root() / home_ / "README.md";
         const std::string text = with_sources(read_file(file, size_t{1} << 24), load_sources(), file);
         return markdown_blocks(parse_markdown(in_words ? in_words(text) : text), places);

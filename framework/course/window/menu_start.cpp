@@ -75,6 +75,7 @@ void StartPage::make_next() {
 
 void StartPage::load(Card& card) try {
     const Manifest manifest = load_manifest(*card.lab);
+    card.is_elective = manifest.elective;
     for (const TaskInfo& task : manifest.tasks)
         if (!task.optional) card.tasks.push_back(check::unjudged(task));
     if (manifest.cover.empty()) return;
@@ -192,7 +193,7 @@ void StartPage::draw_card(size_t index, ImVec2 size, float scale, MenuWish& wish
                                : !checks_.is_of(*card.lab) ? "not checked yet"
                                                            : "checking " + checks_.progress();
     list.AddText({line.x, line.y + 21 * scale}, ImGui::ColorConvertFloat4ToU32(is_good ? good : quiet),
-                 ((is_good ? "\u2713 " : "") + points).c_str());
+                 ((is_good ? "\u2713 " : "") + (card.is_elective ? "elective: " + points : points)).c_str());
     if (card.lab == edited_) {
         const char* const note = "edited last";
         const ImVec2 room = ImGui::CalcTextSize(note), corner{at.x + 8 * scale, at.y + 8 * scale};

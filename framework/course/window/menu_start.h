@@ -42,6 +42,7 @@ private:
         glm::vec2 size{1};                    ///< of the picture, in pixels
         /// Without optional ones, for which a card has no room. Without points until the checks have run.
         std::vector<check::TaskVerdict> tasks = {};
+        bool is_elective = false;  ///< no other lab needs it
         std::string points = {};   ///< empty until the checks have run
         Checks::Files files = {};  ///< with which they ran
         bool is_full() const;      ///< nothing is left to earn

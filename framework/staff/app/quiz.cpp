@@ -108,7 +108,8 @@ pages::Fields question_fields(const QuestionInfo& question, const std::string& p
     pages::List choices;
     for (size_t i = 0; i < answers.size(); ++i) {
         const bool is_answer = answers[i] == question.right;
-        choices.push_back(choice_fields(i, answers[i], is_answer, is_answer ? question.why : "read the handout again."));
+        choices.push_back(
+            choice_fields(i, answers[i], is_answer, is_answer ? question.why : "read the handout again."));
     }
     return {{"place", place}, {"id", ""}, {"title", question.asks}, {"drawn", ""}, {"choices", std::move(choices)}};
 }

@@ -29,6 +29,12 @@ std::string spaced(std::string name) {
     return name;
 }
 
+/// Returns a topic's name in words: "moving frames".
+std::string label_of(std::string name) {
+    std::replace(name.begin(), name.end(), '-', ' ');
+    return name;
+}
+
 /// A column of a table, other than the first two and the pictures.
 struct Column {
     std::string heading;
@@ -88,6 +94,7 @@ public:
         }
         const size_t count = scenes.size();
         return {{"name", topic.name},
+                {"label", label_of(topic.name)},
                 {"help", topic.help},
                 {"question", topic.question},
                 {"answer", measure::answer_of(result_.rows, chief)},
@@ -317,7 +324,8 @@ std::string bench_page(std::span<const TopicResult> results, const PutPicture& p
         section = {name, render("framework/staff/pages/topic", TopicPart(result, put).fields())};
     }
     List topics;
-    for (const Section& section : sections) topics.push_back(Fields{{"name", section.name}, {"section", section.text}});
+    for (const Section& section : sections)
+        topics.push_back(Fields{{"name", section.name}, {"label", label_of(section.name)}, {"section", section.text}});
     return render({.title = "Relief: speed and error",
                    .body = "framework/staff/pages/bench",
                    .styles = {"framework/staff/pages/bench"},

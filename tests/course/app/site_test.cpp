@@ -399,12 +399,13 @@ TEST(Quiz, AsksWithoutScriptsAndTellsNothingOfTheEdits) {
     EXPECT_EQ(count("article li"), 4 * questions);
     EXPECT_EQ(count("article img"), (2 + 3) * pairs);
     EXPECT_EQ(count("details[open]"), 0);
-    EXPECT_EQ(browser().eval("[...document.querySelectorAll('article')].every(one => {"
-                             " const yes = one.querySelectorAll('.yes'), letter = yes[0].closest('li').querySelector('b');"
-                             " const shown = one.querySelectorAll('.pair img')[1];"
-                             " return yes.length == 1 && one.querySelectorAll('.no').length == 3 &&"
-                             "   (!shown || shown.src.endsWith(`-${letter.textContent}.png`)); })"),
-              true)
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('article')].every(one => {"
+                       " const yes = one.querySelectorAll('.yes'), letter = yes[0].closest('li').querySelector('b');"
+                       " const shown = one.querySelectorAll('.pair img')[1];"
+                       " return yes.length == 1 && one.querySelectorAll('.no').length == 3 &&"
+                       "   (!shown || shown.src.endsWith(`-${letter.textContent}.png`)); })"),
+        true)
         << "one hint is the picture's";
 }
 
