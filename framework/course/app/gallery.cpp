@@ -90,16 +90,12 @@ public:
     bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
     /// Returns the path of a file in the site, or "" if it does not exist.
     std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
-    /// Copies the files. Their first page gets a link to the site's.
-    void copy() const {
+    /// Copies the files. `with_bar` changes the text of their first page.
+    void copy(const std::function<std::string(std::string page)>& with_bar) const {
         for (const fs::path& file : files_) {
             make_folder((to_ / file).parent_path());
-            std::string text = read_file(from_ / file);
-            if (const size_t header = text.find("<header>"); file == "index.html" && header != std::string::npos)
-                text.insert(
-                    header + std::string_view("<header>").size(),
-                    "<p class=\"up\"><a href=\"../index.html\"><span aria-hidden=\"true\">←</span> All labs</a></p>");
-            write_file(to_ / file, text);
+            const std::string text = read_file(from_ / file);
+            write_file(to_ / file, file == "index.html" ? with_bar(text) : text);
         }
     }
 
@@ -124,9 +120,10 @@ public:
         for_each_lab("first picture of lab", [&](const LabEntry& lab) { open(lab); });
         link_neighbours();
         draw_hero();
-        for (const auto& [name, other] : others_) other.copy();
-        write_file(folder_ / "accessibility.html", accessibility());
-        if (has_sources()) write_file(folder_ / sources_page, pages::text_page(sources_text, labs_));
+        for (const auto& [name, other] : others_)
+            other.copy([&](const std::string& page) { return with_bar(page, "../"); });
+        write_file(folder_ / "accessibility.html", with_bar(accessibility()));
+        if (has_sources()) write_file(folder_ / sources_page, with_bar(pages::text_page(sources_text, labs_)));
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
             if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
@@ -202,7 +199,7 @@ private:
     }
 
     void write(const pages::LabPage& page) const {
-        write_file(folder_ / pages::lab_page_file(*page.lab), pages::lab_page(page));
+        write_file(folder_ / pages::lab_page_file(*page.lab), with_bar(pages::lab_page(page)));
     }
     void write_index() {
         pages::List cards;
@@ -279,7 +276,7 @@ private:
             Image image = render_shot(*make_lab(entry, shot), shot);
             return pages::WordlessPicture{std::move(image), std::move(words)};
         };
-        put(pages::handout_file(entry), pages::handout_page(entry, manifest, labs_, put, draw));
+        put(pages::handout_file(entry), with_bar(pages::handout_page(entry, manifest, labs_, put, draw)));
         return pages::handout_file(entry);
     }
 
@@ -321,18 +318,31 @@ private:
                              {"title", first.manifest->title}};
     }
 
+    static void add_link(pages::List& links, const char* name, const std::string& place) {
+        if (!place.empty()) links.push_back(pages::Fields{{"name", name}, {"place", place}});
+    }
+    /// Returns the links of the first page.
     pages::List links() const {
         pages::List links;
-        const auto add = [&](const char* name, const std::string& place) {
-            if (!place.empty()) links.push_back(pages::Fields{{"name", name}, {"place", place}});
-        };
-        if (!pages_.empty()) add("Try in a browser", pages_.front().live);
-        if (is_live_) return links;
-        add("Speed and error", others_.at("bench").place("index.html"));
-        add("Which mistake made this picture?", others_.at("quiz").place("index.html"));
-        if (pages_.size() == registry().size()) add("Ways through the course", "#paths");
-        add("Where each source is shown", has_sources() ? sources_page : "");
+        if (!pages_.empty()) add_link(links, "Try in a browser", pages_.front().live);
+        for (pages::Value& link : links_everywhere()) links.push_back(std::move(link));
+        if (!is_live_ && pages_.size() == registry().size()) add_link(links, "Ways through the course", "#paths");
         return links;
+    }
+    pages::List links_everywhere() const {
+        pages::List links;
+        if (is_live_) return links;
+        add_link(links, "Speed and error", others_.at("bench").place("index.html"));
+        add_link(links, "Which mistake made this picture?", others_.at("quiz").place("index.html"));
+        add_link(links, "Where each source is shown", has_sources() ? sources_page : "");
+        return links;
+    }
+    /// Puts the links of the whole site at the top of a page. `top`: the way from the page's folder to the site's.
+    std::string with_bar(std::string page, const char* top = "") const {
+        constexpr std::string_view body = "<body>\n";
+        if (const size_t at = page.find(body); at != std::string::npos)
+            page.insert(at + body.size(), pages::render("bar", {{"top", top}, {"links", links_everywhere()}}));
+        return page;
     }
 
     /// Returns the ways through the course, if all labs are on this site.

@@ -110,7 +110,7 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         EXPECT_TRUE(browser().load_images()) << page;
         if (ours) {
             EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout") +
-                          (page.stem() == "accessibility"),
+                          (page.stem() == "accessibility" || page.stem() == "sources"),
                       0)
                 << page;
             EXPECT_EQ(browser().eval("[...document.images].filter(image => image.hasAttribute('width') && "
@@ -151,8 +151,8 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
         EXPECT_EQ(browser().complaints(), Names{}) << page;
     }
     for (const auto& place : places) EXPECT_TRUE(ids.contains(place)) << place.first << "#" << place.second;
-    // The first page, accessibility, a page and a handout for each lab, a deck, the measurements.
-    EXPECT_EQ(pages.size(), 2 + 2 * labs().size() + 2);
+    // The first page, accessibility, the sources, a page and a handout for each lab, a deck, the measurements.
+    EXPECT_EQ(pages.size(), 3 + 2 * labs().size() + 2);
     EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
 }
 
