@@ -74,16 +74,17 @@ public:
             const Value& figure = block.fields.at("figure");
             return figure.kind == Value::Kind::fields && figure.fields.at("moving").kind != Value::Kind::nothing;
         });
-        return render({.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
-                       .body = "handout",
-                       .styles = {"site", "markdown", "picture_words"},
-                       .scripts = has_moving ? std::vector<std::string>{"drawings"} : std::vector<std::string>(),
-                       .pictures = PagePictures::beside},
-                      {{"up", Fields{{"file", lab_page_file(lab_)}, {"title", lab_.two_digits() + " " + manifest_.title}}},
-                       {"contents", std::move(contents)},
-                       {"blocks", std::move(text)},
-                       {"previous", neighbour(-1)},
-                       {"next", neighbour(1)}});
+        return render(
+            {.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
+             .body = "handout",
+             .styles = {"site", "markdown", "picture_words"},
+             .scripts = has_moving ? std::vector<std::string>{"drawings"} : std::vector<std::string>(),
+             .pictures = PagePictures::beside},
+            {{"up", Fields{{"file", lab_page_file(lab_)}, {"title", lab_.two_digits() + " " + manifest_.title}}},
+             {"contents", std::move(contents)},
+             {"blocks", std::move(text)},
+             {"previous", neighbour(-1)},
+             {"next", neighbour(1)}});
     }
 
 private:
@@ -160,16 +161,13 @@ std::string text_page(const fs::path& file, std::span<const LabEntry* const> lab
     const std::vector<Block> text = parse_markdown(read_file(course_root() / file, size_t{1} << 24));
     List blocks = markdown_blocks(text, places);
     Value contents = chapters_of(blocks);
-    return render({.title = "Relief: " + (text.empty() ? "" : plain_text(text.front().spans)),
-                   .body = "handout",
-                   .styles = {"site", "markdown"},
-                   .scripts = {},
-                   .pictures = PagePictures::beside},
-                  {{"up", ""},
-                   {"contents", std::move(contents)},
-                   {"blocks", std::move(blocks)},
-                   {"previous", ""},
-                   {"next", ""}});
+    return render(
+        {.title = "Relief: " + (text.empty() ? "" : plain_text(text.front().spans)),
+         .body = "handout",
+         .styles = {"site", "markdown"},
+         .scripts = {},
+         .pictures = PagePictures::beside},
+        {{"up", ""}, {"contents", std::move(contents)}, {"blocks", std::move(blocks)}, {"previous", ""}, {"next", ""}});
 }
 
 }  // namespace relief::pages
