@@ -150,11 +150,12 @@ private:
                                                : is(second + 1, counter) && is(second + 2, "+") && is(second + 3, "+");
         return is_below && steps && is_constant(bound) && !assigns(counter, close + 1, end_of_statement(close + 1));
     }
-    /// Returns whether a token is a number below most_rounds, or a constant's name.
+    /// Returns whether a token is a number below most_rounds, or the name of a constant that is not a larger number.
     bool is_constant(size_t i) const {
         if (is_number(i)) return tokens_[i].text.size() < std::to_string(most_rounds).size();
-        for (size_t k = 0; k + 2 < tokens_.size(); ++k)
-            if (is(k, "const") && is(k + 2, tokens_[i].text)) return true;
+        for (size_t k = 0; k + 4 < tokens_.size(); ++k)
+            if (is(k, "const") && is(k + 2, tokens_[i].text))
+                return !is_number(k + 4) || !is(k + 5, ";") || is_constant(k + 4);
         return false;
     }
     size_t end_of_statement(size_t i) const {

@@ -2,7 +2,8 @@
 // loop, a trap or a failed assertion becomes an error of the module that names the line.
 "use strict";
 
-const task_seconds = 2;  // of one call of a function
+const task_seconds = 2;      // of one call of a function
+const request_seconds = 10;  // of all calls while the module answers one request of the page, such as a check
 const stack_bytes = 1 << 18;
 
 // Reads the tables of lines of a WebAssembly file: custom section .debug_line, DWARF 4. Returns a function from an
@@ -92,6 +93,8 @@ class CompiledTask {
         this.answers.delete(data.of);
       };
       this.worker.onerror = event => {
+        this.worker = null;  // the next build tries again
+        this.progress(1);
         for (const answer of this.answers.values()) answer({said: "the compiler did not run: " + (event.message ?? "its files could not be fetched")});
         this.answers.clear();
       };
@@ -113,7 +116,11 @@ class CompiledTask {
       free: asm.relief_free,
       stop: why => { throw new Error(written(why)); },
       unfinished: (task, file, line) => this.throw_unfinished(written(task), line),
-      tick: () => { if (performance.now() - this.began > 1000 * task_seconds) throw this.stuck = new Error(`it runs for more than ${task_seconds} s: an endless loop?`); },
+      tick: () => {
+        const seconds = (performance.now() - this.began) / 1000;
+        if (seconds > task_seconds) throw this.stuck = new Error(`it runs for more than ${task_seconds} s: an endless loop?`);
+        if (this.spent + seconds > request_seconds) throw this.stuck = new Error(`its calls take more than ${request_seconds} s together`);
+      },
     };
     const nothing = new Proxy({}, {get: () => () => 52});  // a task has no system: ENOSYS
     const compiled = await WebAssembly.compile(bytes);
@@ -122,8 +129,19 @@ class CompiledTask {
     new Uint8Array(asm.memory.buffer).fill(0, place, place + room);
     const {exports} = await WebAssembly.instantiate(compiled, {page, env: {memory: asm.memory}, wasi_snapshot_preview1: nothing});
     if (exports.__heap_base.value > place + room) throw new Error(`${this.file}: its constants and variables are larger than ${(room - stack_bytes) >> 10} KiB`);
-    exports.__wasm_call_ctors();
     Object.assign(this, {exports, bytes, text, stack: exports.__stack_pointer.value, line_at: lines_of(bytes), stuck: null});
+    this.begin_request();
+    try {
+      exports.__wasm_call_ctors();  // of its own variables
+    } catch (error) {
+      this.exports = null;
+      const {message, line} = this.told(error);
+      throw Object.assign(new Error(`${this.file}:${line}: ${message}`), {file: this.file, line});
+    }
+  }
+
+  begin_request() {
+    this.began = performance.now(), this.spent = 0;
   }
 
   throw_unfinished(task, line) {
@@ -136,26 +154,35 @@ class CompiledTask {
       const unfinished = /\bunfinished\("([0-9.]+)"\)/.exec(text.slice(from));
       return this.throw_unfinished(unfinished?.[1] ?? "in C++", text.slice(0, from + (unfinished?.index ?? 0)).split("\n").length);
     }
-    if (this.stuck) this.fail(this.stuck);
+    if (this.stuck) this.fail(this.stuck, symbol);
     this.began = performance.now();
     try {
       return own(...values);
     } catch (error) {
       this.exports.__stack_pointer.value = this.stack;
       if (error instanceof WebAssembly.Exception) throw error;
-      this.fail(error);
+      this.fail(error, symbol);
+    } finally {
+      this.spent += (performance.now() - this.began) / 1000;
     }
   }
-  fail(error) {
+  fail(error, symbol) {
+    const {message, line} = this.told(error, symbol);
+    this.module().ccall("relief_task_failed", null, ["string", "string", "number"], [message, this.file, line]);
+  }
+  // What an error says. Its line is 0 if the browser does not tell the place (WebKit): the task is then that of the
+  // function that was called, `symbol`.
+  told(error, symbol) {
     let place;
     for (const [, offset] of String(error.stack).split("call_task")[0].matchAll(/wasm-function\[\d+\]:0x([0-9a-f]+)/g)) {
       const row = this.line_at(parseInt(offset, 16));
       if (row && this.file.endsWith("/" + row.file)) { place = row.line; break; }
     }
-    const task = /.*TASK ([0-9.]+[0-9])/s.exec(this.text.split("\n").slice(0, place ?? 0).join("\n"))?.[1];
+    const called = symbol && new RegExp(`\\b${function_name(symbol)}\\([^;{}]*\\)[^;{}]*\\{`).exec(this.text);
+    const before = place ? this.text.split("\n").slice(0, place).join("\n") : this.text.slice(0, called?.index ?? 0);
+    const task = /.*TASK ([0-9.]+[0-9])/s.exec(before)?.[1];
     const why = error.name === "RangeError" ? "the stack is full: a function calls itself without an end"
       : error.message.replace(/^.* assertion .* failed: /, "").replace(" in -fno-exceptions mode with message", ":").trim();  // without a place in the library of C++
-    this.module().ccall("relief_task_failed", null, ["string", "string", "number"],
-                        [(task ? `task ${task} stops: ` : "the task stops: ") + why, this.file, place ?? 0]);
+    return {message: (task ? `task ${task} stops: ` : "the task stops: ") + why, line: place ?? 0};
   }
 }

@@ -35,6 +35,7 @@ const take_all = files => Promise.all(files.map(take));
 // Calls a function of the module. Fetches the files that it wanted to read, and calls it again.
 const call_now = async (name, ...values) => {
   for (;;) {
+    code.begin_request();
     const answer = JSON.parse(relief.ccall("relief_" + name, "string", values.map(value => typeof value), values));
     if (answer.missing) { await take_all(answer.missing); continue; }
     if ("error" in answer) throw Object.assign(new Error(answer.error), answer);

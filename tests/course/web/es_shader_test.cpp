@@ -68,6 +68,8 @@ TEST(EsShader, ALoopThatMayNotEndHasALimitOfRounds) {
         {"do { ++x; } while (x < f(3));", "do { ++x; } while (relief_goes_on() && (x < f(3)));"},
         {"for (int i = 0; i < n; ++i) ++x;", "for (int i = 0; relief_goes_on() && (i < n); ++i) ++x;"},
         {"for (int i = 0; i < 99999999; ++i) ++x;", "for (int i = 0; relief_goes_on() && (i < 99999999); ++i) ++x;"},
+        {"const int n = 99999; for (int i = 0; i < n; ++i) ++x;",
+         "const int n = 99999; for (int i = 0; relief_goes_on() && (i < n); ++i) ++x;"},
         {"for (int i = 0; i < 8; ++i) if (x > 0) { i = 0; }",
          "for (int i = 0; relief_goes_on() && (i < 8); ++i) if (x > 0) { i = 0; }"},
         {"for (int i = 0; i < 8; ++i) { --i; }", "for (int i = 0; relief_goes_on() && (i < 8); ++i) { --i; }"},
