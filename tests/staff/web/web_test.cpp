@@ -318,7 +318,8 @@ TEST_F(Web, AFaultInCppStaysInThePageAndNamesItsLine) {
     expect("if (triangle.uv[triangle.uv.size()].x > 0) return {};", stops + "out-of-bounds access in std::array<T, N>");
     expect("if (triangle.uv.at(triangle.uv.size()).x > 0) return {};", stops + "out_of_range was thrown: ");
     expect("volatile int zero = 0, part = 7 / zero; static_cast<void>(part);", stops + "divide by zero");
-    compile(text + "\nstatic const int never = [] {\n    for (volatile int i = 0; i >= 0;) {\n    }\n    return 1;\n}();\n");
+    compile(text +
+            "\nstatic const int never = [] {\n    for (volatile int i = 0; i >= 0;) {\n    }\n    return 1;\n}();\n");
     browser_->wait_for("!$('problem').hidden");
     EXPECT_TRUE(contains(text_of("#problem"), "it runs for more than")) << text_of("#problem");
     expect("missing();", "use of undeclared identifier 'missing'");
