@@ -61,6 +61,14 @@ mat3 world_from_surface() {
 #endif
 }
 
+vec3 tangent_in_world(vec3 tangent, mat3 m) {
+#ifdef TANGENT_AS_NORMAL
+    return world_normal(tangent, m);  // the fault that tangent_by shows
+#else
+    return world_tangent(tangent, m);
+#endif
+}
+
 //(frame
 mat3 frame_here(vec3 normal) {
     mat3 m = world_from_surface();
@@ -70,11 +78,7 @@ mat3 frame_here(vec3 normal) {
 #endif
     // Where the model is mirrored, so is the frame.
     float handedness = determinant(m) < 0.0 ? -v_tangent.w : v_tangent.w;
-#ifdef TANGENT_AS_NORMAL
-    tangent = world_normal(tangent, m);  // the fault that tangent_by shows
-#else
-    tangent = world_tangent(tangent, m);
-#endif
+    tangent = tangent_in_world(tangent, m);
 #ifdef AS_INTERPOLATED
     return mat3(tangent, handedness * cross(normal, tangent), normal);
 #else

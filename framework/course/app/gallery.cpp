@@ -90,12 +90,12 @@ public:
     bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
     /// Returns the path of a file in the site, or "" if it does not exist.
     std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
-    /// Copies the files. `with_bar` changes the text of their first page.
-    void copy(const std::function<std::string(std::string page)>& with_bar) const {
+    /// Copies the files. `with_links` changes the text of their first page.
+    void copy(const std::function<std::string(std::string page)>& with_links) const {
         for (const fs::path& file : files_) {
             make_folder((to_ / file).parent_path());
             const std::string text = read_file(from_ / file);
-            write_file(to_ / file, file == "index.html" ? with_bar(text) : text);
+            write_file(to_ / file, file == "index.html" ? with_links(text) : text);
         }
     }
 
@@ -121,9 +121,9 @@ public:
         link_neighbours();
         draw_hero();
         for (const auto& [name, other] : others_)
-            other.copy([&](const std::string& page) { return with_bar(page, "../"); });
-        write_file(folder_ / "accessibility.html", with_bar(accessibility()));
-        if (has_sources()) write_file(folder_ / sources_page, with_bar(pages::text_page(sources_text, labs_)));
+            other.copy([&](const std::string& page) { return with_links(page, "../"); });
+        write_file(folder_ / "accessibility.html", with_links(accessibility()));
+        if (has_sources()) write_file(folder_ / sources_page, with_links(pages::text_page(sources_text, labs_)));
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
             if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
@@ -199,7 +199,7 @@ private:
     }
 
     void write(const pages::LabPage& page) const {
-        write_file(folder_ / pages::lab_page_file(*page.lab), with_bar(pages::lab_page(page)));
+        write_file(folder_ / pages::lab_page_file(*page.lab), with_links(pages::lab_page(page)));
     }
     void write_index() {
         pages::List cards;
@@ -276,7 +276,7 @@ private:
             Image image = render_shot(*make_lab(entry, shot), shot);
             return pages::WordlessPicture{std::move(image), std::move(words)};
         };
-        put(pages::handout_file(entry), with_bar(pages::handout_page(entry, manifest, labs_, put, draw)));
+        put(pages::handout_file(entry), with_links(pages::handout_page(entry, manifest, labs_, put, draw)));
         return pages::handout_file(entry);
     }
 
@@ -338,10 +338,10 @@ private:
         return links;
     }
     /// Puts the links of the whole site at the top of a page. `top`: the way from the page's folder to the site's.
-    std::string with_bar(std::string page, const char* top = "") const {
+    std::string with_links(std::string page, const char* top = "") const {
         constexpr std::string_view body = "<body>\n";
         if (const size_t at = page.find(body); at != std::string::npos)
-            page.insert(at + body.size(), pages::render("bar", {{"top", top}, {"links", links_everywhere()}}));
+            page.insert(at + body.size(), pages::render("everywhere", {{"top", top}, {"links", links_everywhere()}}));
         return page;
     }
 

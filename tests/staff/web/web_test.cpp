@@ -254,16 +254,16 @@ TEST_F(Web, AMistakeIsNamedMendedAndHandedIn) {
     for (const Edit& edit : mistake.edits) text.replace(text.find(edit.find), edit.find.size(), edit.replace);
     write_and_check(text);
     EXPECT_TRUE(contains(text_of("#task-6\\.1 .hint"), mistake.hint)) << text_of("#task-6\\.1 .hint");
-    EXPECT_FALSE(text_of("#points").starts_with("13 of 13"));
+    EXPECT_FALSE(text_of("#points").starts_with("15 of 15"));
 
     write_and_check(solution(lab));
-    EXPECT_TRUE(text_of("#points").starts_with("13 of 13 public points; ")) << text_of("#points");
+    EXPECT_TRUE(text_of("#points").starts_with("15 of 15 public points; ")) << text_of("#points");
     const std::string file = download("task.glsl");
     EXPECT_EQ(file, solution(lab));
     const fs::path submission = folder_->path() / "class" / "ada";
     fs::create_directories(submission / "shaders" / lab.folder);
     write_file(submission / "shaders" / lab.folder / "task.glsl", file);
-    expect_grade(submission, lab, "ada,graded,13,13");
+    expect_grade(submission, lab, "ada,graded,15,15");
 }
 
 // Of lab 05, or of all five labs that have tasks in C++.
@@ -411,7 +411,7 @@ TEST_F(Web, AnEndlessLoopInAShaderIsStoppedAndTheTextIsKept) {
     browser_->width(0);
     browser_->eval("pauses.check = 0");
     write_and_check(solution(lab));
-    EXPECT_TRUE(text_of("#points").starts_with("13 of 13 public points; ")) << text_of("#points");
+    EXPECT_TRUE(text_of("#points").starts_with("15 of 15 public points; ")) << text_of("#points");
     EXPECT_EQ(text_of("#problem"), "");
 }
 
@@ -467,13 +467,13 @@ TEST_F(Web, TheCoursePageShowsThePointsAndGoesOn) {
     write_and_check(browser_->eval("starter + '// begun'"));
     open_course();
     EXPECT_TRUE(text_of("a.begin").starts_with("Continue with lab 06 ")) << text_of("a.begin");
-    EXPECT_TRUE(contains(text_of("#lab-06 .points"), "you have 0 of 13")) << text_of("#lab-06 .points");
+    EXPECT_TRUE(contains(text_of("#lab-06 .points"), "you have 0 of 15")) << text_of("#lab-06 .points");
     open(lab);
     write_and_check(solution(lab));
     EXPECT_EQ(browser_->eval("document.querySelectorAll('.compare').length"), 0) << "this site has no solutions";
     open_course();
-    EXPECT_TRUE(contains(text_of("#lab-06 .points"), "you have 13 of 13")) << text_of("#lab-06 .points");
-    EXPECT_TRUE(contains(text_of(".sum"), "13of them yours")) << text_of(".sum");
+    EXPECT_TRUE(contains(text_of("#lab-06 .points"), "you have 15 of 15")) << text_of("#lab-06 .points");
+    EXPECT_TRUE(contains(text_of(".sum"), "15of them yours")) << text_of(".sum");
     const auto place = std::find_if(registry().begin(), registry().end(), [&](const LabEntry& one) {
         return one.number > lab.number && fs::exists(site() / (one.folder + "-live.html")) &&
                !load_manifest(one).elective;
