@@ -1,11 +1,14 @@
 #include "framework/course/window/menu_search.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
@@ -127,6 +130,7 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
         ImGui::OpenPopup("search");
         text_[0] = 0;
         marked_ = 0;
+        print_event("search: open");
     }
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float width = std::min(560 * scale, all.x - 32 * scale);
@@ -137,8 +141,10 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##text", "a lab, a knob, a value, a probe, a check, a heading or a word", text_,
-                                 sizeof text_))
+                                 sizeof text_)) {
         marked_ = 0;
+        print_event(fmt::format("search: {}", text_));
+    }
     const std::vector<Found> found = find(stage, checks);
     const int count = int(std::min(found.size(), most));
     if (is_pressed(ImGuiKey_DownArrow)) ++marked_;

@@ -249,11 +249,18 @@ protected:
             << window_->err();
     }
     /// Opens the search, types into it, and waits for results. The first search reads all labs.
-    void search_for(const char* letters) {
+    void search_for(const std::string& letters) {
+        const auto count = [&](const std::string& event) {
+            size_t found = 0;
+            for (size_t at = 0; (at = window_->err().find(event, at)) != std::string::npos; ++at) ++found;
+            return found;
+        };
+        const size_t opened = count("] search: open\n"), typed = count("] search: " + letters + "\n");
         press("slash");
-        std::this_thread::sleep_for(2s);
+        EXPECT_TRUE(eventually([&] { return count("] search: open\n") > opened; })) << window_->err();
+        std::this_thread::sleep_for(200ms);  // the input takes the keys in the next frame
         run({"xdotool", "type", "--delay", "80", letters}, where_);
-        std::this_thread::sleep_for(500ms);
+        EXPECT_TRUE(eventually([&] { return count("] search: " + letters + "\n") > typed; })) << window_->err();
     }
     Image saved(const std::string& name) {
         press("s");
