@@ -300,6 +300,7 @@ private:
              .pictures = pages::PagePictures::beside},
             {{"hero", hero_},
              {"labs", labs_.size()},
+             {"labs_word", labs_.size() == 1 ? "lab" : "labs"},
              {"tasks", tasks},
              {"points", points},
              {"begin", begin()},
