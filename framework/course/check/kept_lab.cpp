@@ -1,5 +1,7 @@
 #include "framework/course/check/kept_lab.h"
 
+#include <utility>
+
 #include "framework/course/check/calls.h"
 
 namespace relief::check {

@@ -1,8 +1,10 @@
 #include "framework/course/web/es_shader.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "framework/core/base/code_text.h"
 
@@ -184,32 +186,30 @@ private:
     const std::vector<CodeToken>& tokens_;
 };
 
-/// Returns the changes that limit the loops of a macro in place of its #define line, or none if it has no loops.
-std::vector<Change> limited_macro(const std::string& text, const CodeToken& line) {
+/// Returns the change that limits the loops of a macro, in place of its #define line; nothing if it has no loops.
+std::optional<Change> limited_macro(const std::string& text, const CodeToken& line) {
     const std::vector<CodeToken> tokens = tokens_of_directive(line);
     const std::vector<Change> loops = LoopReader(tokens).changes(0, line.text.size());
     if (loops.empty()) return {};
     std::string limited = changed(line.text, loops);
     const std::string ends = line_ends(text.substr(line.begin, line.end - line.begin));
     limited += ends.substr(line_ends(limited).size());  // lines that a backslash joined
-    return {{line.begin, line.end - line.begin, limited}};
+    return Change{line.begin, line.end - line.begin, limited};
 }
 
 /// Returns the changes of the loops of a task file. Its lines after the last #include stand in the text as they are;
 /// if they do not, all loops count.
 std::vector<Change> limited_loops(const std::string& text, const std::vector<CodeToken>& tokens,
-                                  const std::string& task) {
+                                  const std::vector<CodeToken>& directives, const std::string& task) {
     if (task.empty()) return {};
     const size_t last = task.rfind("#include"),
                  own = last == task.npos ? 0 : std::min(task.find('\n', last), task.size());
     const size_t at = text.find(task.substr(own));
     const size_t begin = at == text.npos ? 0 : at, end = at == text.npos ? text.size() : at + task.size() - own;
     std::vector<Change> changes = LoopReader(tokens).changes(begin, end);
-    for (const CodeToken& token : all_tokens(text)) {
-        if (token.kind != CodeToken::directive || token.begin < begin || token.begin >= end) continue;
-        const std::vector<Change> macro = limited_macro(text, token);
-        changes.insert(changes.end(), macro.begin(), macro.end());
-    }
+    for (const CodeToken& line : directives)
+        if (line.begin >= begin && line.begin < end)
+            if (const auto macro = limited_macro(text, line)) changes.push_back(*macro);
     return changes;
 }
 
@@ -264,9 +264,14 @@ const std::vector<MissingFunction>& missing_functions() {
 }
 
 std::string es_shader(const std::string& text, EsStage stage, const std::string& task) {
-    const std::vector<CodeToken> tokens = code_tokens(text);
+    std::vector<CodeToken> tokens, directives;
+    for (CodeToken& token : all_tokens(text))
+        if (token.kind == CodeToken::directive)
+            directives.push_back(std::move(token));
+        else if (token.is_code())
+            tokens.push_back(std::move(token));
     std::vector<Change> changes = changed_declarations(text, tokens, stage);
-    const std::vector<Change> numbers = changed_numbers(tokens), loops = limited_loops(text, tokens, task);
+    const std::vector<Change> numbers = changed_numbers(tokens), loops = limited_loops(text, tokens, directives, task);
     changes.insert(changes.end(), numbers.begin(), numbers.end());
     changes.insert(changes.end(), loops.begin(), loops.end());
     std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });

@@ -19,8 +19,8 @@ inline constexpr int most_rounds = 1 << 13;
 /// - A vertex stage adds `uniform vec2 relief_move`, in clip space, to each position.
 /// - The loops of `task`, the text of a task file, and of its macros have most_rounds rounds together in each
 ///   invocation, so that an endless one ends. A loop that counts to a constant stays as it is: a compiler may have to
-///   unroll it. So do those that declare a variable in their condition, and a `while` whose condition is outside of
-///   its macro.
+///   unroll it. So do those that declare a variable in their condition, and a `while` in a macro whose condition
+///   follows outside of the macro.
 /// - `precise` and the declared direction of gl_FragDepth are dropped, as are #extension lines.
 std::string es_shader(const std::string& text, EsStage stage, const std::string& task = {});
 

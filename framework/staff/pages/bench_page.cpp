@@ -24,14 +24,10 @@ std::optional<double> work_of(const measure::BenchRow& row, const std::string& n
     return {};
 }
 
+/// Returns the name of a topic or of work in words: "moving frames", "texture bytes".
 std::string spaced(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
-/// Returns a topic's name in words: "moving frames".
-std::string label_of(std::string name) {
-    std::replace(name.begin(), name.end(), '-', ' ');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
     return name;
 }
 
@@ -94,7 +90,7 @@ public:
         }
         const size_t count = scenes.size();
         return {{"name", topic.name},
-                {"label", label_of(topic.name)},
+                {"label", spaced(topic.name)},
                 {"help", topic.help},
                 {"question", topic.question},
                 {"answer", measure::answer_of(result_.rows, chief)},
@@ -325,7 +321,7 @@ std::string bench_page(std::span<const TopicResult> results, const PutPicture& p
     }
     List topics;
     for (const Section& section : sections)
-        topics.push_back(Fields{{"name", section.name}, {"label", label_of(section.name)}, {"section", section.text}});
+        topics.push_back(Fields{{"name", section.name}, {"label", spaced(section.name)}, {"section", section.text}});
     return render({.title = "Relief: speed and error",
                    .body = "framework/staff/pages/bench",
                    .styles = {"framework/staff/pages/bench"},

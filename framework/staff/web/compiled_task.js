@@ -136,7 +136,7 @@ class CompiledTask {
     } catch (error) {
       this.exports = null;
       const {message, line} = this.told(error);
-      throw Object.assign(new Error(`${this.file}:${line}: ${message}`), {file: this.file, line});
+      throw Object.assign(new Error(`${this.file}:${line ? line + ":" : ""} ${message}`), {file: this.file, line});
     }
   }
 
