@@ -50,7 +50,8 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int place, int action, int held) {
         GlfwWindow& self = noted(window);
         const char* const name = glfwGetKeyName(key, place);
-        if (action == GLFW_PRESS) self.keys_.push_back({key, name ? name : "", (held & GLFW_MOD_CONTROL) != 0});
+        if (action != GLFW_RELEASE)
+            self.keys_.push_back({key, name ? name : "", (held & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
     });
     glfwSetCharCallback(window_,
                         [](GLFWwindow* window, unsigned character) { noted(window).characters_.push_back(character); });

@@ -19,6 +19,7 @@ struct Key {
     int code;          ///< GLFW_KEY_...
     std::string name;  ///< "z", "+"; empty for keys that type nothing
     bool control;
+    bool repeated = false;  ///< it was down before
 };
 
 class GlfwWindow final : public Context {

@@ -154,7 +154,10 @@ private:
     }
 
     void act(const MenuWish& wish) {
-        if (start_.is_open()) start_.move(wish.columns, wish.rows);
+        if (search_.is_open())
+            search_.move(wish.rows);
+        else if (start_.is_open())
+            start_.move(wish.columns, wish.rows);
         for (const MenuAction& action : wish.actions)
             if (const auto* const mine = std::get_if<WindowAction>(&action)) act(*mine);
         if (wish.lab && !(start_.is_open() && wish.lab == &lab_.stage().entry())) open(*wish.lab);
@@ -177,6 +180,9 @@ private:
                 break;
             case WindowAction::close_search:
                 search_.close();
+                break;
+            case WindowAction::take_found:
+                search_.take();
                 break;
             case WindowAction::close_list:
                 ImGui::SetWindowFocus(nullptr);  // closes any open list

@@ -17,15 +17,6 @@ inline ImTextureID texture_id(unsigned texture) {
 #endif
 }
 
-// Renamed in 1.87, when keys also became values of their own instead of indices of the backend.
-#if IMGUI_VERSION_NUM >= 18700
-constexpr ImGuiKey keypad_enter = ImGuiKey_KeypadEnter;
-inline bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(key); }
-#else
-constexpr ImGuiKey keypad_enter = ImGuiKey_KeyPadEnter;
-inline bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
-#endif
-
 /// Begins a child window whose items keys reach from its parent. ImGui::EndChild() ends it.
 inline void begin_reachable_child(const char* name) {
 #if IMGUI_VERSION_NUM >= 19090

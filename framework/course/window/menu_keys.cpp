@@ -45,14 +45,24 @@ void add_with_control(const Key& key, const OpenParts& open, MenuWish& wish) {
     if (key.name == "y") wish.ask(LabAction::redo);
 }
 
-void add_in_start_page(int key, MenuWish& wish) {
+bool is_enter(int key) { return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER; }
+
+void add_in_start_page(const Key& key, MenuWish& wish) {
     static const std::map<int, Steps> steps = {{GLFW_KEY_LEFT, {-1, 0}},    {GLFW_KEY_RIGHT, {1, 0}},
                                                {GLFW_KEY_UP, {0, -1}},      {GLFW_KEY_DOWN, {0, 1}},
                                                {GLFW_KEY_PAGE_UP, {0, -3}}, {GLFW_KEY_PAGE_DOWN, {0, 3}}};
-    if (const auto found = steps.find(key); found != steps.end())
+    if (const auto found = steps.find(key.code); found != steps.end())
         wish.columns += found->second.columns, wish.rows += found->second.rows;
-    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) wish.ask(WindowAction::choose_lab);
-    if (key == GLFW_KEY_HOME) wish.ask(WindowAction::close_labs);
+    if (key.repeated) return;
+    if (is_enter(key.code)) wish.ask(WindowAction::choose_lab);
+    if (key.code == GLFW_KEY_HOME) wish.ask(WindowAction::close_labs);
+}
+
+/// The text field of the search takes all other keys.
+void add_in_search(const Key& key, MenuWish& wish) {
+    if (key.code == GLFW_KEY_UP) --wish.rows;
+    if (key.code == GLFW_KEY_DOWN) ++wish.rows;
+    if (is_enter(key.code) && !key.repeated) wish.ask(WindowAction::take_found);
 }
 
 void add_in_lab(int key, const OpenParts& open, MenuWish& wish) {
@@ -89,13 +99,16 @@ void add_in_lab(int key, const OpenParts& open, MenuWish& wish) {
 }  // namespace
 
 void add_key(const Key& key, const OpenParts& open, MenuWish& wish) {
+    if (key.repeated && !open.search && !open.labs) return;  // marks move on while a key is held
     if (key.code == GLFW_KEY_ESCAPE && open.part && (open.list || open.active)) return;  // the widget's own
     if (key.code == GLFW_KEY_ESCAPE && (open.search || !open.typing)) {
         if (const auto action = closing(open)) wish.ask(*action);
     } else if (key.control) {
         add_with_control(key, open, wish);
-    } else if (!open.typing && !open.search && !(open.part && is_of_a_part(key.code))) {
-        open.labs ? add_in_start_page(key.code, wish) : add_in_lab(key.code, open, wish);
+    } else if (open.search) {
+        add_in_search(key, wish);
+    } else if (!open.typing && !(open.part && is_of_a_part(key.code))) {
+        open.labs ? add_in_start_page(key, wish) : add_in_lab(key.code, open, wish);
     }
 }
 

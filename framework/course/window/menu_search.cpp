@@ -147,11 +147,14 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     }
     const std::vector<Found> found = find(stage, checks);
     const int count = int(std::min(found.size(), most));
-    if (is_pressed(ImGuiKey_DownArrow)) ++marked_;
-    if (is_pressed(ImGuiKey_UpArrow)) --marked_;
     marked_ = std::clamp(marked_, 0, std::max(0, count - 1));
     const MenuWish* taken = nullptr;
-    if (count > 0 && (is_pressed(ImGuiKey_Enter) || is_pressed(keypad_enter))) taken = &found[size_t(marked_)].wish;
+    if (std::exchange(taking_, false)) {
+        if (count > 0)
+            taken = &found[size_t(marked_)].wish;
+        else
+            ImGui::SetKeyboardFocusHere(-1);  // Enter has ended the text field
+    }
     if (count == 0)
         quiet_text("Nothing has that in its name or its help: no lab, knob, value, probe, check, heading or word.");
     for (int i = 0; i < count; ++i) {

@@ -23,7 +23,11 @@ public:
     void open() { wanted_ = true; }
     void close() { closing_ = true; }
     bool is_open() const { return wanted_ || open_; }
-    /// Draws the search. Enter or a click takes the marked result; the arrow keys move the mark.
+    /// Moves the mark, by rows.
+    void move(int rows) { marked_ += rows; }
+    /// Takes the marked result in the next frame, in which it stands below all letters that were typed.
+    void take() { taking_ = true; }
+    /// Draws the search. A click takes a result, too.
     void draw(float scale, const Stage& stage, const Checks& checks, MenuWish& wish);
 
 private:
@@ -45,7 +49,7 @@ private:
     std::vector<Found> find(const Stage& stage, const Checks& checks) const;
 
     std::vector<Found> others_;
-    bool wanted_ = false, open_ = false, closing_ = false;
+    bool wanted_ = false, open_ = false, closing_ = false, taking_ = false;
     char text_[80] = "";
     int marked_ = 0;
 };

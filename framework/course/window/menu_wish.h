@@ -17,6 +17,7 @@ enum class WindowAction {
     toggle_help,
     open_search,
     close_search,
+    take_found,  ///< goes to the result that is marked in the search
     close_list,
     open_labs,  ///< the start page
     close_labs,
@@ -70,7 +71,7 @@ struct MenuWish {
     Place edit = {};                        ///< open this place in the editor
     std::string message = {};               ///< show this in the status line
     float scroll = 0;                       ///< scroll the handout by this many lines
-    int columns = 0, rows = 0;              ///< move the mark of the start page
+    int columns = 0, rows = 0;              ///< move the mark of the search or the start page
 
     void ask(MenuAction action) { actions.push_back(action); }
     bool is_empty() const {

@@ -64,6 +64,31 @@ TEST(Keys, ArrowsMoveTheMarkScrollTheHandoutOrSwitchLabs) {
     EXPECT_EQ(wish.scroll, 0);
 }
 
+TEST(Keys, InTheSearchMoveItsMarkAndTakeWhatItFound) {
+    const OpenParts open{.typing = true, .search = true, .labs = true};
+    MenuWish wish;
+    add_key({GLFW_KEY_DOWN, "", false}, open, wish);
+    add_key({GLFW_KEY_DOWN, "", false, true}, open, wish);
+    add_key({GLFW_KEY_UP, "", false}, open, wish);
+    EXPECT_EQ(wish.rows, 1);
+    EXPECT_TRUE(wish.actions.empty());
+    EXPECT_EQ(actions_of({GLFW_KEY_ENTER, "", false}, open), Actions{WindowAction::take_found});
+    EXPECT_EQ(actions_of({GLFW_KEY_KP_ENTER, "", false}, open), Actions{WindowAction::take_found});
+    EXPECT_EQ(actions_of({GLFW_KEY_ENTER, "", false, true}, open), Actions()) << "it was held";
+}
+
+TEST(Keys, AHeldKeyMovesMarksAndNothingElse) {
+    const auto held = [](int key, const OpenParts& open) {
+        MenuWish wish;
+        add_key({key, "", false, true}, open, wish);
+        return wish;
+    };
+    EXPECT_EQ(held(GLFW_KEY_DOWN, {.labs = true}).rows, 1);
+    for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_S, GLFW_KEY_ESCAPE, GLFW_KEY_F6})
+        EXPECT_TRUE(held(key, {}).is_empty()) << key;
+    for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_HOME}) EXPECT_TRUE(held(key, {.labs = true}).is_empty()) << key;
+}
+
 TEST(Keys, MoveThroughAPartThatHasThemAndLettersStayTheLabs) {
     EXPECT_EQ(actions_of({GLFW_KEY_F6, "", false}, {}), Actions{LabAction::next_part});
     const OpenParts open{.part = true, .handout = true};
