@@ -151,14 +151,6 @@ void write_private_file(const fs::path& path, std::string_view bytes) {
     write_whole(path, bytes, Kept::on_disk_private);
 }
 
-void remove_unfinished_files(const fs::path& folder) {
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(folder, none))
-        if (entry.path().filename().string().find(unfinished_suffix) != std::string::npos &&
-            entry.is_regular_file(none))
-            fs::remove(entry.path(), none);
-}
-
 void write_standard_output(std::string_view bytes) {
     if (!write_all(standard_output, bytes))
         throw Error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));

@@ -27,9 +27,6 @@ void write_file_to_disk(const std::filesystem::path& path, std::string_view byte
 /// file was readable by others.
 void write_private_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Removes the temporary files of killed writers from a folder. Precondition: no process is writing there.
-void remove_unfinished_files(const std::filesystem::path& folder);
-
 /// Writes all bytes to standard output. Throws Error if the reader has closed it or the disk is full.
 void write_standard_output(std::string_view bytes);
 

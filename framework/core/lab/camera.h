@@ -26,8 +26,6 @@ public:
     glm::dmat4 view_from_world() const { return view_from_world_; }
     glm::dmat4 clip_from_view() const { return clip_from_view_; }
     glm::dmat4 clip_from_world() const { return clip_from_view_ * view_from_world_; }
-    /// Returns the same camera for a picture of another aspect ratio.
-    Camera with_aspect(double aspect) const { return {orbit_, aspect}; }
     /// Returns the ray through a point of the picture, x and y in [-1, 1], y up. Its direction is normalised.
     Ray ray(glm::dvec2 clip) const;
 

@@ -30,24 +30,18 @@ struct Material {
     std::string name;
     glm::vec3 diffuse = {1, 1, 1};   ///< Kd
     glm::vec3 specular = {0, 0, 0};  ///< Ks
-    glm::vec3 ambient = {0, 0, 0};   ///< Ka
     glm::vec3 emission = {0, 0, 0};  ///< Ke
-    int illumination = 0;            ///< illum, a number of MTL's list of lighting models
     float shininess = 1;             ///< Ns
     float opacity = 1;               ///< d, or else 1 - Tr; clamped to [0, 1]
     float bump_scale = 1;            ///< -bm of the bump map
     // Paths that can be opened (relative ones begin with the model's folder), or empty.
     std::filesystem::path diffuse_map = {};       ///< map_Kd
     std::filesystem::path specular_map = {};      ///< map_Ks
-    std::filesystem::path shininess_map = {};     ///< map_Ns
     std::filesystem::path opacity_map = {};       ///< map_d
-    std::filesystem::path ambient_map = {};       ///< map_Ka
-    std::filesystem::path emission_map = {};      ///< map_Ke
     std::filesystem::path bump_map = {};          ///< map_Bump, map_bump or bump: heights, and in some files normals
     std::filesystem::path normal_map = {};        ///< norm
-    std::filesystem::path displacement_map = {};  ///< disp or map_disp
     /// Keywords of its statements and options of its maps, each once, in the order of the file, at most 32. They tell a
-    /// renderer which of them it does not use, also of those that have no member here (Tf, -clamp).
+    /// renderer which of them it does not use, also of those that have no member here (Ka, map_Ke, -clamp).
     std::vector<std::string> words = {};
     std::filesystem::path file = {};  ///< the MTL file; `line` is the line of its newmtl
     int line = 0;

@@ -94,13 +94,9 @@ public:
     void read(const Statements& statement) {
         add_word(statement.keyword());
         static const std::map<std::string_view, std::filesystem::path Material::*> maps = {
-            {"map_Ka", &Material::ambient_map},       {"map_Kd", &Material::diffuse_map},
-            {"map_Ks", &Material::specular_map},      {"map_Ke", &Material::emission_map},
-            {"map_Ns", &Material::shininess_map},     {"map_d", &Material::opacity_map},
-            {"norm", &Material::normal_map},          {"bump", &Material::bump_map},
-            {"map_bump", &Material::bump_map},        {"map_Bump", &Material::bump_map},
-            {"disp", &Material::displacement_map},    {"map_disp", &Material::displacement_map},
-            {"map_Disp", &Material::displacement_map}};
+            {"map_Kd", &Material::diffuse_map}, {"map_Ks", &Material::specular_map}, {"map_d", &Material::opacity_map},
+            {"norm", &Material::normal_map},    {"bump", &Material::bump_map},       {"map_bump", &Material::bump_map},
+            {"map_Bump", &Material::bump_map}};
         if (const auto map = maps.find(statement.keyword()); map != maps.end())
             read_map(statement, map->second);
         else
@@ -124,10 +120,8 @@ private:
 
     void read_numbers(const Statements& statement) {
         const std::string_view keyword = statement.keyword();
-        static const std::map<std::string_view, glm::vec3 Material::*> colors = {{"Ka", &Material::ambient},
-                                                                                 {"Kd", &Material::diffuse},
-                                                                                 {"Ks", &Material::specular},
-                                                                                 {"Ke", &Material::emission}};
+        static const std::map<std::string_view, glm::vec3 Material::*> colors = {
+            {"Kd", &Material::diffuse}, {"Ks", &Material::specular}, {"Ke", &Material::emission}};
         std::string_view rest = statement.rest();
         if (const auto color = colors.find(keyword); color != colors.end()) {
             glm::vec3 rgb;
@@ -137,10 +131,9 @@ private:
             return;
         }
         float number = 0;
-        if (keyword != "d" && keyword != "Tr" && keyword != "Ns" && keyword != "illum") return;
+        if (keyword != "d" && keyword != "Tr" && keyword != "Ns") return;
         if (!read_number(statement, rest, number)) return;
         if (keyword == "Ns") material_.shininess = number;
-        if (keyword == "illum") material_.illumination = int(std::clamp(number, -1000.0f, 1000.0f));
         if (keyword == "d" || (keyword == "Tr" && !has_d_))
             material_.opacity = std::clamp(keyword == "d" ? number : 1 - number, 0.0f, 1.0f);
         has_d_ |= keyword == "d";

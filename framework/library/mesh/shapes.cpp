@@ -108,15 +108,6 @@ Mesh make_column(const ColumnShape& shape) {
     });
 }
 
-Mesh make_disc(const DiscShape& shape) {
-    return make_column({.bottom_radius = shape.radius,
-                        .top_radius = 0,
-                        .height = 0,
-                        .sides = shape.sides,
-                        .rows = shape.rows,
-                        .repeat = shape.repeat});
-}
-
 Mesh make_sphere(const SphereShape& shape) {
     const double radius = extent(shape.radius);
     return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 2), shape.repeat, [&](const GridPlace& at) {

@@ -45,16 +45,6 @@ struct ColumnShape {
 };
 Mesh make_column(const ColumnShape& shape);
 
-/// A disc in the plane y = 0 that faces +y, in polar coordinates. u runs around, as on a column below it; v runs from
-/// the rim to the centre. At the centre, each vertex keeps the tangent of its own spoke. With radius 0, normals point
-/// away from the axis, as on a column.
-struct DiscShape {
-    float radius = 1;
-    int sides = 48, rows = 8;
-    glm::vec2 repeat = {1, 1};
-};
-Mesh make_disc(const DiscShape& shape);
-
 /// A sphere around the origin. u runs around from -z (to the right, seen from outside), v from the lower pole to the
 /// upper one. At a pole, each vertex keeps the tangent of its own meridian. Positions at a pole agree within 1e-16 of
 /// the radius.

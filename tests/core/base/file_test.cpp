@@ -118,21 +118,6 @@ TEST(Files, WritersWithEqualProcessIdsDoNotCollide) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
 }
 
-TEST(Files, TheTemporaryOfAKilledWriterCanBeRemoved) {
-    const TemporaryFolder folder;
-    const auto killed = [&] {
-        const FullDisk disk(1000);
-        std::signal(SIGXFSZ, [](int) { std::raise(SIGKILL); });  // arrives during the write
-        write_file(folder.path() / "a.txt", std::string(5000, 'n'));
-    };
-    EXPECT_EXIT(killed(), testing::KilledBySignal(SIGKILL), "");
-    folder.write("b.txt", "");
-    EXPECT_EQ(names_in(folder.path()).size(), 2u);
-    remove_unfinished_files(folder.path());
-    EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"b.txt"});
-    remove_unfinished_files(folder.path() / "none");
-}
-
 TEST(Files, PrivateOnesAreReadableOnlyByTheirOwner) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "for all");

@@ -56,8 +56,6 @@ TEST(Camera, HasXToTheRightYUpAndItsFieldOfViewUpright) {
         const Camera camera(orbit, aspect);
         EXPECT_NEAR(project(camera, {0, top, 0}).y, 1, 1e-12);
         EXPECT_NEAR(project(camera, {top * aspect, 0, 0}).x, 1, 1e-12) << aspect;
-        EXPECT_NEAR(project(camera.with_aspect(2), {2 * top, 0, 0}).x, 1, 1e-12) << "from " << aspect;
-        EXPECT_EQ(camera.with_aspect(2).orbit(), camera.orbit());
     }
 }
 

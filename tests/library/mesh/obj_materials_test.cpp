@@ -99,7 +99,7 @@ TEST(ObjMaterials, MapNamesAreReadAfterTheirOptions) {
     EXPECT_EQ(material("map_Kd\n").diffuse_map, "");
     EXPECT_EQ(material("map_Kd -s\n").diffuse_map, "");
     EXPECT_EQ(material("norm n.png\n").normal_map, "m/n.png");
-    EXPECT_EQ(material("disp -mm 0 0.1 h.exr\n").displacement_map, "m/h.exr");
+    EXPECT_EQ(material("map_d -mm 0 0.1 h.exr\n").opacity_map, "m/h.exr");
 }
 
 TEST(ObjMaterials, OptionsMayFollowAMapName) {
@@ -136,17 +136,10 @@ TEST(ObjMaterials, AMapWithADriveLetterIsSearchedBesideTheModel) {
 }
 
 TEST(ObjMaterials, LightAndItsMapsAreRead) {
-    const Material found = material(
-        "Ka 0.1 0.2 0.3\nKe 2 1 0\nillum 2\nmap_Ka a.png\nmap_Ks s.png\nmap_Ke e.png\nmap_Ns n.png\nmap_d d.png\n");
-    EXPECT_EQ(found.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
+    const Material found = material("Ke 2 1 0\nmap_Ks s.png\nmap_d d.png\n");
     EXPECT_EQ(found.emission, glm::vec3(2, 1, 0));
-    EXPECT_EQ(found.illumination, 2);
-    EXPECT_EQ(found.ambient_map, "m/a.png");
     EXPECT_EQ(found.specular_map, "m/s.png");
-    EXPECT_EQ(found.emission_map, "m/e.png");
-    EXPECT_EQ(found.shininess_map, "m/n.png");
     EXPECT_EQ(found.opacity_map, "m/d.png");
-    EXPECT_EQ(material("illum two\n").illumination, 0);
 }
 
 TEST(ObjMaterials, ABumpMapHasItsScaleInEverySpelling) {

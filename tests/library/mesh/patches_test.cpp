@@ -33,7 +33,7 @@ std::vector<Named> meshes() {
         {"box", make_box({.size = {1, 2, 3}, .cells = {1, 2, 3}})},
         {"column", make_column({.sides = 7, .rows = 2, .repeat = {2, 1}})},
         {"quad", make_quad({.columns = 3, .rows = 2})},
-        {"disc", make_disc({.sides = 8, .rows = 2})},
+        {"disc", make_column({.top_radius = 0, .height = 0, .sides = 8, .rows = 2})},
         {"urn", urn()},
     };
 }

@@ -46,7 +46,8 @@ const Surface surfaces[] = {
      pi * 2.5 * 2.5},
     {"disc",
      [](int n) {
-         return make_disc({.radius = 2, .sides = 2 * n, .rows = n, .repeat = {3, 2}});
+         return make_column(
+             {.bottom_radius = 2, .top_radius = 0, .height = 0, .sides = 2 * n, .rows = n, .repeat = {3, 2}});
      },
      pi * 4},
     {"sphere", [](int n) { return make_sphere({.radius = 2, .sides = 2 * n, .rows = n}); }, 16 * pi, 32 * pi / 3},
@@ -189,10 +190,10 @@ TEST(ShapeSurfaces, SolidsAreClosedToTheLastBit) {
 
 TEST(ShapeSurfaces, TheRepeatScalesOnlyTheUv) {
     const auto all = [](glm::vec2 repeat) {
-        return std::array{make_quad({.repeat = repeat}),        make_grid({.repeat = repeat}),
-                          make_box({.repeat = repeat}),         make_column({.repeat = repeat}),
-                          make_disc({.repeat = repeat}),        make_sphere({.repeat = repeat}),
-                          make_cube_sphere({.repeat = repeat}), make_torus({.repeat = repeat})};
+        return std::array{make_quad({.repeat = repeat}),   make_grid({.repeat = repeat}),
+                          make_box({.repeat = repeat}),    make_column({.repeat = repeat}),
+                          make_sphere({.repeat = repeat}), make_cube_sphere({.repeat = repeat}),
+                          make_torus({.repeat = repeat})};
     };
     const auto once = all({1, 1}), often = all({3, 0.5f});
     for (size_t shape = 0; shape < once.size(); ++shape) {
@@ -241,7 +242,7 @@ TEST(ShapeSurfaces, InvalidParametersGiveFinitePositionsAndUnitFrames) {
                       make_box({.size = {x, 1, x}, .cells = {n, 1, n}, .repeat = repeat}),
                       make_column({.bottom_radius = x, .top_radius = 1, .height = x, .sides = n, .rows = n}),
                       make_column({.bottom_radius = x, .top_radius = x, .height = x, .repeat = repeat}),
-                      make_disc({.radius = x, .sides = n, .rows = n, .repeat = repeat}),
+                      make_column({.bottom_radius = x, .top_radius = 0, .height = 0, .repeat = repeat}),
                       make_sphere({.radius = x, .sides = n, .rows = n, .repeat = repeat}),
                       make_cube_sphere({.radius = x, .cells = n, .repeat = repeat}),
                       make_torus({.ring_radius = x, .tube_radius = 1, .sides = n, .rows = n, .repeat = repeat}),

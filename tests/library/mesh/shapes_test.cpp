@@ -38,7 +38,11 @@ std::vector<Grid> shapes() {
         {"sphere", make_sphere({.radius = 5, .sides = 48, .rows = 24, .repeat = {4, 2}}), 48, 24, {4, 2}},
         {"coarse sphere", make_sphere({.sides = 5, .rows = 4}), 5, 4},
         {"grid", make_grid({.width = 3, .depth = 7, .columns = 6, .rows = 5, .repeat = {3, 7}}), 6, 5, {3, 7}},
-        {"disc", make_disc({.radius = 2, .sides = 12, .rows = 3, .repeat = {4, 1}}), 12, 3, {4, 1}},
+        {"disc",
+         make_column({.bottom_radius = 2, .top_radius = 0, .height = 0, .sides = 12, .rows = 3, .repeat = {4, 1}}),
+         12,
+         3,
+         {4, 1}},
         {"torus", make_torus({.ring_radius = 2, .tube_radius = 0.5f, .repeat = {8, 2}}), 64, 24, {8, 2}},
         {"coarse torus", make_torus({.tube_radius = 0.75f, .sides = 5, .rows = 4}), 5, 4},
     };
