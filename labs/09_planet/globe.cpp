@@ -65,9 +65,6 @@ void Globe::make_room(int patches) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * slots_.capacity() * grid_.vertices(), nullptr,
                  GL_DYNAMIC_DRAW);
     for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                          reinterpret_cast<const void*>(offsetof(Vertex, local)));
 }
 
 std::vector<Globe::Vertex> Globe::vertices_of(const SpherePatch& patch) const {
@@ -207,8 +204,13 @@ void Globe::draw(const Program& program, size_t i, const Plan& plan, const Eye& 
     program.set("u_centre", slot.value.middle);
     program.set("u_map_corner", map_ ? map_corner(i) : glm::ivec2(0));
     glBindVertexArray(buffers_->layout);
-    glDrawElementsBaseVertex(GL_TRIANGLES, 3 * triangles_of_patch(plan.skirts), GL_UNSIGNED_INT, nullptr,
-                             slot.place * grid_.vertices());
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
+    // WebGL has no glDrawElementsBaseVertex: the attributes begin at the slot.
+    const size_t begin = sizeof(Vertex) * size_t(slot.place * grid_.vertices());
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(begin));
+    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                          reinterpret_cast<const void*>(begin + offsetof(Vertex, local)));
+    glDrawElements(GL_TRIANGLES, 3 * triangles_of_patch(plan.skirts), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace relief::planet

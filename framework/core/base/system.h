@@ -78,10 +78,9 @@ void set_environment(const char* name, const std::string& value);
 /// Returns the processor time of this process and its threads, in seconds.
 double processor_seconds();
 
-/// Converts a decimal number to the nearest value, in any locale, as std::strtod and std::strtof do in the C locale.
-/// std::from_chars would be exact too, but libc++ does not have it for these types.
+/// Converts a decimal number to the nearest value, in any locale, as std::strtod does in the C locale. std::from_chars
+/// would be exact too, but libc++ does not have it for this type.
 double to_double(const char* text);
-float to_float(const char* text);
 
 /// A file's bytes, mapped read-only.
 struct MappedFile {

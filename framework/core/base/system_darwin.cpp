@@ -26,7 +26,6 @@ bool flush_to_disk(int descriptor) { return fcntl(descriptor, F_FULLFSYNC) == 0 
 
 // No locale is the C locale.
 double to_double(const char* text) { return strtod_l(text, nullptr, nullptr); }
-float to_float(const char* text) { return strtof_l(text, nullptr, nullptr); }
 
 MappedFile map_file(const fs::path& path) {
     const Descriptor file = open_to_read(path);

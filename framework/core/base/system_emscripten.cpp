@@ -54,7 +54,6 @@ double processor_seconds() { return emscripten_get_now() / 1000; }
 
 // A page never leaves the C locale.
 double to_double(const char* text) { return std::strtod(text, nullptr); }
-float to_float(const char* text) { return std::strtof(text, nullptr); }
 
 MappedFile map_file(const fs::path& path) {
     const Descriptor file = open_to_read(path);

@@ -30,7 +30,6 @@ fs::path executable() {
 bool flush_to_disk(int descriptor) { return fsync(descriptor) == 0; }
 
 double to_double(const char* text) { return strtod_l(text, nullptr, c_locale()); }
-float to_float(const char* text) { return strtof_l(text, nullptr, c_locale()); }
 
 MappedFile map_file(const fs::path& path) {
     const Descriptor file = open_to_read(path);

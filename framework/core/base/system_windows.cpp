@@ -230,7 +230,6 @@ double processor_seconds() {
 
 // The program never leaves the C locale. mingw-w64's own functions round to the nearest value, unlike the system's.
 double to_double(const char* text) { return std::strtod(text, nullptr); }
-float to_float(const char* text) { return std::strtof(text, nullptr); }
 
 MappedFile map_file(const fs::path& path) {
     const Descriptor file = open_to_read(path);

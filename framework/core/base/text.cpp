@@ -38,28 +38,15 @@ bool is_decimal(std::string_view text) {
     return has_digits && text.empty();
 }
 
-/// Parses the whole text by `convert`. Returns nothing if it is no decimal number, or if it rounds to infinity or,
-/// without being zero, to zero.
-template <class Value>
-std::optional<Value> parse_with(Value (*convert)(const char* text), std::string_view text) {
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
     if (!is_decimal(text)) return {};
-    const Value value = convert(std::string(text).c_str());
+    const double value = os::to_double(std::string(text).c_str());
     const bool is_zero =
         text.substr(0, text.find_first_of("eE")).find_first_of(decimal_digits + 1) == std::string_view::npos;
     if (!std::isfinite(value) || (value == 0 && !is_zero)) return {};
     return value;
-}
-
-}  // namespace
-
-std::optional<double> parse_number(std::string_view text) { return parse_with(os::to_double, text); }
-
-std::string shortest_near(float number, double allowed) {
-    for (int count = 1;; ++count) {
-        const std::string text = fmt::format("{:.{}g}", number, count);
-        const double read = parse_with(os::to_float, text).value_or(0);
-        if (count == 9 || std::abs(read - number) <= allowed) return text;
-    }
 }
 
 std::optional<int> parse_int(std::string_view text) {

@@ -10,12 +10,8 @@
 namespace relief {
 
 /// Parses the whole text as a finite decimal number, such as 2, -0.5 or 1e-3, in any locale. Returns nothing for "",
-/// "1x", "nan" or "1e999".
+/// "1x", "nan" or "1e999", nor for "1e-999", which would round to 0.
 std::optional<double> parse_number(std::string_view text);
-
-/// Returns the text with the fewest digits, at most nine, whose float differs from `number` by at most `allowed`. Nine
-/// digits give every float exactly. Precondition: the number is finite.
-std::string shortest_near(float number, double allowed);
 
 /// Parses the whole text as a decimal integer. Returns nothing when it is none or does not fit.
 std::optional<int> parse_int(std::string_view text);

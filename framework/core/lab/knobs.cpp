@@ -18,17 +18,18 @@ class Describe final : public Knobs {
 public:
     std::vector<KnobText> found;
 
+    void group(const char* heading) override { group_ = heading; }
     void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override {
-        found.push_back({name, plain(value), plain(low) + " to " + plain(high), help});
+        found.push_back({name, fmt::format("{}", value), help, group_, {}, low, high});
     }
     void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override {
-        found.push_back({name, plain(value), fmt::format("{} to {}, whole", low, high), help});
+        found.push_back({name, fmt::format("{}", value), help, group_, {}, float(low), float(high), true});
     }
     void toggle(const char* name, bool& value, const KnobHelp& help) override {
-        found.push_back({name, value ? "on" : "off", "on, off", help});
+        found.push_back({name, value ? "on" : "off", help, group_, {"off", "on"}});
     }
     void choice(const char* name, int& value, std::span<const char* const> names, const KnobHelp& help) override {
-        found.push_back({name, names[size_t(value)], fmt::format("{}", fmt::join(names, ", ")), help});
+        found.push_back({name, names[size_t(value)], help, group_, {names.begin(), names.end()}});
     }
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
                         const KnobHelp& help) override {
@@ -37,6 +38,9 @@ public:
         found.back().help.text += std::string(", or ") + own.kind();
         if (value != named) found.back().value = own.file().string();
     }
+
+private:
+    std::string group_;
 };
 
 class SetOne final : public Knobs {
@@ -107,13 +111,13 @@ class FileKnobs : public Knobs {
     void choice(const char*, int&, std::span<const char* const>, const KnobHelp&) override {}
 };
 
-class FindNotes final : public FileKnobs {
+class FindFiles final : public FileKnobs {
 public:
-    std::vector<std::pair<std::string, const OwnFile*>> found;  ///< with the names of the knobs
+    std::vector<std::pair<std::string, const OwnFile*>> found;
 
     void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
                         const KnobHelp&) override {
-        if (value == int(names.size()) && !own.notes().empty()) found.emplace_back(name, &own);
+        if (value == int(names.size())) found.emplace_back(name, &own);
     }
 };
 
@@ -164,6 +168,14 @@ void KnobsOnly::choice_or_file(const char* name, int& value, OwnFile& own, std::
     to_.choice_or_file(name, value, own, names, with_condition(help));
 }
 
+bool KnobText::is_toggle() const { return choices == std::vector<std::string>{"off", "on"}; }
+
+std::string KnobText::range() const {
+    if (is_toggle()) return "on, off";
+    if (!is_number()) return fmt::format("{}", fmt::join(choices, ", "));
+    return fmt::format("{} to {}{}", plain(low), plain(high), is_whole ? ", whole" : "");
+}
+
 std::vector<KnobText> describe_knobs(Lab& lab) {
     Describe describe;
     lab.knobs(describe);
@@ -198,13 +210,18 @@ void set_knob(Lab& lab, const std::string& name, const std::string& value) {
     throw UsageError(unknown("knob", name, names));
 }
 
-std::vector<std::string> notes_of_files(Lab& lab) {
-    FindNotes find;
+std::vector<std::pair<std::string, const OwnFile*>> files_of(Lab& lab) {
+    FindFiles find;
     lab.knobs(find);
-    if (find.found.empty()) return {};
+    return std::move(find.found);
+}
+
+std::vector<std::string> notes_of_files(Lab& lab) {
+    const auto files = files_of(lab);
+    if (files.empty()) return {};
     const std::vector<KnobText> knobs = describe_knobs(lab);
     std::vector<std::string> notes;
-    for (const auto& [name, own] : find.found)
+    for (const auto& [name, own] : files)
         if (!is_ignored(name, knobs))
             for (const std::string& note : own->notes())
                 if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);

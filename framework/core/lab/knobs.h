@@ -54,8 +54,17 @@ private:
 
 /// A knob as text.
 struct KnobText {
-    std::string name, value, range;
+    std::string name, value;  ///< set_knob() reads exactly this value from its text
     KnobHelp help;
+    std::string group;                 ///< the heading above it; may be empty
+    std::vector<std::string> choices;  ///< the values that have names; "off" and "on" of a toggle; none of a number
+    float low = 0, high = 0;           ///< the range of a number
+    bool is_whole = false;             ///< it is an integer
+
+    bool is_number() const { return choices.empty(); }
+    bool is_toggle() const;
+    /// Returns its values in words: "0 to 1", "1 to 8, whole", "on, off", "linear, secant".
+    std::string range() const;
 };
 
 class Lab;
@@ -76,6 +85,9 @@ std::vector<std::string> knob_values(Lab& lab);
 
 /// Sets a knob from text. Throws UsageError that suggests the nearest knob, or names the range or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
+
+/// Returns the user's files that a lab's knobs have now, with the names of the knobs.
+std::vector<std::pair<std::string, const OwnFile*>> files_of(Lab& lab);
 
 /// Returns the notes of the user's files that a lab's knobs have now, each once. A knob without effect does not count.
 std::vector<std::string> notes_of_files(Lab& lab);

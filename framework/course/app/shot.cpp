@@ -156,7 +156,7 @@ std::string knobs_and_probes(const std::string& lab_text) {
         const LabEntry& entry = find_lab(lab_text);
         std::string text = fmt::format("Knobs of {} (--set name=value):\n", entry.folder);
         for (const KnobText& knob : describe_knobs(*entry.make()))
-            text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help.line(), knob.range, knob.value);
+            text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help.line(), knob.range(), knob.value);
         text += "Probes:\n";
         for (const ProbeInfo& probe : load_manifest(entry).probes)
             text += fmt::format("  {:<14} {}\n", probe.name,

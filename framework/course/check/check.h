@@ -1,7 +1,6 @@
 // Runs a lab's checks: draws with the course's task files, and judges the pictures.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -57,9 +56,6 @@ private:
     std::unique_ptr<Memory> memory_;
 };
 
-/// Returns the picture that a check compares with. If the function itself is empty, expectation() replaces it.
-using Expected = std::function<std::optional<Image>(const CheckInfo& check)>;
-
 /// Returns the manifest of a lab without the hidden checks against the solution that have no expectation_file(). In the
 /// staff's course the solution is in the task files under test, so only the grader, which draws it separately, can
 /// compare with it.
@@ -69,13 +65,9 @@ Manifest manifest_to_check(const LabEntry& lab);
 /// even in a task that does not end, then the other checks of each task.
 std::vector<size_t> checks_in_order(const Manifest& manifest);
 
-/// Returns the picture that a check compares with, from `expected` or from expectation(). Nothing if the solution,
-/// which it compares with, cannot be drawn: in the staff's course, the check itself says why. Throws Error if other
-/// files are missing or damaged.
-std::optional<Image> expected_of(KeptLab& kept, const CheckInfo& check, const Expected& expected = {});
-
-/// Runs all checks of a lab in this process, task by task, and names known mistakes. Throws Error if a task has no
-/// check.
-std::vector<TaskVerdict> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected = {});
+/// Returns the picture that a check compares with, see expectation(). Nothing if the solution, which it compares with,
+/// cannot be drawn: in the staff's course, the check itself says why. Throws Error if other files are missing or
+/// damaged.
+std::optional<Image> expected_of(KeptLab& kept, const CheckInfo& check);
 
 }  // namespace relief::check

@@ -28,7 +28,7 @@ enum class KeptPictures { of_failed, of_all };
 /// other thread. Each copy opens a context, and draws until its end or until a check ends it: that check is `crashed`,
 /// `out_of_time` or `out_of_memory`, and another copy runs the rest. After a check that is out of time, the other
 /// checks of its task are not tried; at the end of the lab's time, none. Prints what the task prints, on standard
-/// error. Throws Error as check_lab() does.
+/// error. Throws Error if a task has no check.
 ///
 /// Where the system cannot copy a process, the checks run in this one, and a fault ends it.
 ///

@@ -1,6 +1,6 @@
 // Fingerprints of known mistakes: a few pixel values that each mistake draws in the checks of its task. They name a
 // mistake in the grader and, for public checks, on a student's machine: `relief handout` writes them to
-// labs/NN_name/expected/fingerprints.toml. They do not reveal the mistake's code.
+// labs/NN_name/expected/fingerprints.json. They do not reveal the mistake's code.
 #pragma once
 
 #include <filesystem>
@@ -35,12 +35,12 @@ std::filesystem::path fingerprints_file(const LabEntry& lab);
 /// Returns the place of a lab's file in a student's course, relative to the course.
 std::filesystem::path handed_fingerprints(const LabEntry& lab);
 
-/// Reads a lab's fingerprints. Empty if there is no such file. Throws Error with file and line if the file does not fit
-/// the manifest.
+/// Reads a lab's fingerprints. Empty if there is no such file. Throws Error with the file if it is damaged or does not
+/// fit the manifest.
 Fingerprints load_fingerprints(const LabEntry& lab, const Manifest& manifest);
 Fingerprints parse_fingerprints(const std::string& text, const std::filesystem::path& file, const Manifest& manifest);
 
-/// Returns the text that load_fingerprints() reads. Rounds a mistake's numbers to within a tenth of tolerance_of().
+/// Returns the text that load_fingerprints() reads.
 std::string text_of(const Fingerprints& fingerprints, const Manifest& manifest);
 
 /// Returns the picture's values at these indices. An empty picture gives the error instead.

@@ -148,7 +148,6 @@ void judge_among_solutions(const Manifest& manifest, std::vector<Verdict>& check
         depends_on_others |= !manifest.checks[i].needs.empty() || !manifest.checks[i].leans_on.empty();
     }
     if (lost.size() < 2 && !depends_on_others) return;
-    std::erase_if(lost, [&](const auto& one) { return !manifest.task(one.first).alone; });
     for (const auto& [check, outcome] : evidence.among_solutions(lost)) {
         Verdict& said = checks[check];
         // What was found is of the student's own drawing, or a fixed sentence.

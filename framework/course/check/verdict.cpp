@@ -71,6 +71,12 @@ std::string range_text(double least, double waiting, int of, const char* kind = 
 
 double TaskVerdict::points() const { return points_of(*this, Outcome::passed); }
 
+Outcome TaskVerdict::worst() const {
+    Outcome outcome = Outcome::passed;
+    for (const Verdict& check : checks) outcome = std::max(outcome, check.outcome);
+    return outcome;
+}
+
 double TaskVerdict::waiting_points() const {
     return points_of(*this, Outcome::waiting) + points_of(*this, Outcome::unproven);
 }

@@ -78,6 +78,8 @@ struct TaskVerdict {
     double points() const;
     /// Returns the points that are still open: of the checks that wait or are unproven.
     double waiting_points() const;
+    /// Returns the worst outcome of its checks.
+    Outcome worst() const;
     /// Returns the points of one of its checks; they add up to points(), and `of` to the task's.
     struct Share {
         double points, of;

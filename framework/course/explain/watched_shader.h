@@ -56,11 +56,9 @@ struct WatchedFunction {
 };
 const char* name_of(WatchedFunction::Stage stage);
 
-/// The start of a note. Then come the inputs and the results. A function with a twin adds three numbers per result: the
-/// twin's result in single precision, the rest that this rounds off, and the error bound of rounding.
-struct NoteHeader {
-    float calls, call, excess, is_unfinished;
-};
+/// The floats at the start of a note: the number of calls, the noted one, its excess, and whether a task is unfinished.
+/// Then come the inputs and the results. A function with a twin adds three numbers per result: the twin's result in
+/// single precision, the rest that this rounds off, and the error bound of rounding.
 constexpr size_t note_header = 4;
 /// The number of floats of a note that the fragment stage writes at once: eight targets of four channels.
 constexpr size_t note_slice = 32;

@@ -160,7 +160,7 @@ FieldTest test_field(const Slopes& slopes) {
         if (sums.count < fewest_texels ||
             (best.count > 0 && strongest < std::max(std::abs(best.up), std::abs(best.turned)) + 0.05))
             continue;
-        best = {.count = sums.count, .up = sums.up(), .turned = sums.turned(), .level = i};
+        best = {.count = sums.count, .up = sums.up(), .turned = sums.turned()};
     }
     best.rms = std::hypot(rms.x, rms.y);
     best.across = rms.x > 0 ? rms.y / rms.x : 0;

@@ -32,7 +32,6 @@ struct FieldTest {
     size_t count = 0;   ///< texels at which both derivatives exist
     double up = 0;      ///< 1: a height field; -1: one with inverted green; 0: neither
     double turned = 0;  ///< the same for (y, x): 1: red and green are swapped; -1: the picture is rotated by 90 degrees
-    int level = 0;      ///< halvings of the slopes at the level that gave the clearest result
     double rms = 0;     ///< rms of the slopes
     double across = 0;  ///< rms slope across the main direction over that along it; 0 if all lie in one direction
 };

@@ -125,7 +125,6 @@ TaskInfo read_task(Table& table) {
     task.file = table.text("file");
     table.read("points", task.points, 0, 1000);
     table.read("functions", task.functions);
-    table.read("alone", task.alone);
     table.read("optional", task.optional);
     table.finish();
     if (!is_course_path(task.file))

@@ -34,8 +34,6 @@ struct TaskInfo {
     /// The functions that a student writes, as "crossing(float, float)": their names and the types of their parameters
     /// stay. Everything else in the file is the student's to change.
     std::vector<std::string> functions = {};
-    /// If it loses points with the student's other tasks, it is graded again with the solution of the other tasks.
-    bool alone = true;
     /// Its points are not part of the lab's maximum. They make up for points that other tasks lost.
     bool optional = false;
 };

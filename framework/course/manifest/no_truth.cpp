@@ -14,12 +14,6 @@
 namespace relief {
 namespace {
 
-std::vector<std::string> list_of(const std::string& range) {
-    std::vector<std::string> values = split(range, ',');
-    for (std::string& value : values) value.erase(0, value.find_first_not_of(' '));
-    return values;
-}
-
 /// Returns a knob's setting that alone provides exact values, in the form of --set, and the probe that gets them. Tries
 /// all values of toggles and choices on one pixel, so that labs need not describe when they have exact values. Empty if
 /// there is no such setting.
@@ -32,11 +26,10 @@ std::pair<std::string, std::string> knob_with_truth(const LabEntry& entry, Shot 
     shot.size = {1, 1};
     const auto lab = make_lab(entry, shot);
     std::vector<KnobText> knobs = describe_knobs(*lab);
-    std::erase_if(knobs, [](const KnobText& knob) { return knob.range.find(" to ") != std::string::npos; });
     // Tries toggles first, because they change the scene less than choices.
-    std::stable_partition(knobs.begin(), knobs.end(), [](const KnobText& knob) { return knob.range == "on, off"; });
+    std::stable_partition(knobs.begin(), knobs.end(), [](const KnobText& knob) { return knob.is_toggle(); });
     for (const KnobText& knob : knobs) {
-        for (const std::string& value : list_of(knob.range)) {
+        for (const std::string& value : knob.choices) {
             if (value == knob.value) continue;
             set_knob(*lab, knob.name, value);
             for (const std::string& probe : probes) {

@@ -33,12 +33,6 @@ Fields fields_of(const Manifest& manifest, const check::Verdict& result, std::se
             {"pictures", check.shot.calls ? Value() : Value(std::move(pictures))}};
 }
 
-check::Outcome worst(const check::TaskVerdict& task) {
-    check::Outcome outcome = check::Outcome::passed;
-    for (const check::Verdict& result : task.checks) outcome = std::max(outcome, result.outcome);
-    return outcome;
-}
-
 /// Returns the distinct messages of compilers, each with its source line. They stand before all tasks: one mistake in a
 /// file keeps every check from drawing.
 List messages_of(const std::vector<check::TaskVerdict>& tasks) {
@@ -100,7 +94,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
                                {"hint", rows(with_code(task.hint).list)},
                                {"points", check::points_text(task)},
                                {"not_tested", std::move(not_tested)},
-                               {"worst", badge(worst(task))},
+                               {"worst", badge(task.worst())},
                                {"checks", std::move(checks)},
                                {"blocked", std::move(groups)}});
     }

@@ -12,30 +12,6 @@
 namespace relief::pages {
 namespace {
 
-/// Finds a knob's values as texts, if it has a few named ones.
-class ValuesOf final : public Knobs {
-public:
-    explicit ValuesOf(const std::string& wanted) : wanted_(wanted) {}
-    bool found = false;
-    std::vector<std::string> values;
-
-    void slider(const char* name, float&, float, float, const KnobHelp&) override { is_it(name); }
-    void steps(const char* name, int&, int, int, const KnobHelp&) override { is_it(name); }
-    void toggle(const char* name, bool&, const KnobHelp&) override {
-        if (is_it(name)) values = {"off", "on"};
-    }
-    void choice(const char* name, int&, std::span<const char* const> names, const KnobHelp&) override {
-        if (is_it(name)) values.assign(names.begin(), names.end());
-    }
-
-private:
-    bool is_it(const char* name) {
-        if (name != wanted_) return false;
-        return found = true;
-    }
-    const std::string& wanted_;
-};
-
 /// Ratio of the two ends of the scale of errors: three decades.
 constexpr double decades = 1000;
 
@@ -66,14 +42,15 @@ CompareInfo usual(const Manifest& manifest) {
 
 std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& manifest) {
     const CompareInfo info = manifest.compare.value_or(usual(manifest));
-    ValuesOf known(info.knob);
-    lab.make()->knobs(known);
-    if (!known.found && !manifest.compare) return {};
-    const std::vector<std::string>& values = info.values.empty() ? known.values : info.values;
-    if (known.found && values.empty())
+    const std::vector<KnobText> knobs = describe_knobs(*lab.make());
+    const auto known =
+        std::find_if(knobs.begin(), knobs.end(), [&](const KnobText& knob) { return knob.name == info.knob; });
+    if (known == knobs.end() && !manifest.compare) return {};
+    if (known == knobs.end()) set_knob(*lab.make(), info.knob, "");  // throws an error that lists the knobs
+    const std::vector<std::string>& values = info.values.empty() ? known->choices : info.values;
+    if (values.empty())
         throw UsageError(
             fmt::format("[compare]: the knob {} has no named values: say which, values = [\"1\", \"2\"]", info.knob));
-    if (!known.found) set_knob(*lab.make(), info.knob, "");  // throws an error that lists the knobs
 
     Comparison result;
     result.knob = info.knob;

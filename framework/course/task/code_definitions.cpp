@@ -172,7 +172,7 @@ public:
 
     CodeDefinitions take() {
         for (size_t i = 0; i < tokens_.size();) i = step(i);
-        result_.is_balanced &= scopes_.empty();
+        result_.is_balanced &= namespaces_ == 0;
         return std::move(result_);
     }
 
@@ -184,8 +184,6 @@ private:
         CodeDefinition one;
         one.begin = tokens_[i].begin, one.end = tokens_[i].end;
         one.conditions = conditions_.texts();
-        for (const std::vector<std::string>& names : scopes_)
-            one.scopes.insert(one.scopes.end(), names.begin(), names.end());
         return one;
     }
 
@@ -195,18 +193,15 @@ private:
             return i + 1;
         }
         if (is(i, "namespace") || (is(i, "inline") && is(i + 1, "namespace"))) {
-            std::vector<std::string> names;
             size_t k = i + (is(i, "inline") ? 2 : 1);
-            for (; is_word(k) || is(k, ":"); ++k)
-                if (is_word(k)) names.push_back(tokens_[k].text);
+            while (is_word(k) || is(k, ":")) ++k;
             if (is(k, "{")) {
-                if (names.empty()) names.push_back("");
-                scopes_.push_back(names);
+                ++namespaces_;
                 return k + 1;
             }
         }
-        if (is(i, "}") && !scopes_.empty()) {
-            scopes_.pop_back();
+        if (is(i, "}") && namespaces_ > 0) {
+            --namespaces_;
             return i + 1;
         }
         if (closes(tokens_[i])) {
@@ -360,7 +355,7 @@ private:
     bool recovers_;
     std::vector<CodeToken> tokens_;
     Conditions conditions_;
-    std::vector<std::vector<std::string>> scopes_;
+    int namespaces_ = 0;  ///< the open ones
     CodeDefinitions result_;
 };
 

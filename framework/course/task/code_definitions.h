@@ -35,7 +35,6 @@ struct CodeDefinition {
     size_t body = 0;                 ///< offset of a function's opening brace
     /// The #if lines around it, from the outermost, each with the #elif and #else lines before it.
     std::vector<std::string> conditions;
-    std::vector<std::string> scopes;      ///< the namespaces around it; "" for one without a name
     std::vector<CodeToken> tokens;        ///< without comments and preprocessor lines
     std::set<std::string> words, called;  ///< all words in it, and those before a parenthesis
 

@@ -292,83 +292,17 @@ void viewport(GLint x, GLint y, GLsizei width, GLsizei height) {
     if (have_moved) move_program();
 }
 
-// --- Base vertices ---------------------------------------------------------------------------------------------------
-
-struct Attribute {
-    GLint size;
-    GLenum type;
-    GLboolean normalized;
-    GLsizei stride;
-    uintptr_t offset;
-    GLuint buffer;
-    bool is_whole;  ///< set by glVertexAttribIPointer
-};
-/// The attributes of each vertex array, by index.
-std::map<GLuint, std::map<GLuint, Attribute>> attributes;
-GLuint bound_array = 0, bound_buffer = 0;
-
-void bind_vertex_array(GLuint array) {
-    RELIEF_REAL(glBindVertexArray);
-    bound_array = array;
-    real_glBindVertexArray(array);
-}
-void delete_vertex_arrays(GLsizei count, const GLuint* names) {
-    RELIEF_REAL(glDeleteVertexArrays);
-    for (GLsizei i = 0; i < count; ++i) attributes.erase(names[i]);
-    real_glDeleteVertexArrays(count, names);
-}
-void bind_buffer(GLenum target, GLuint buffer) {
-    RELIEF_REAL(glBindBuffer);
-    if (target == GL_ARRAY_BUFFER) bound_buffer = buffer;
-    real_glBindBuffer(target, buffer);
-}
-void place_attribute(GLuint index, const Attribute& attribute, uintptr_t moved) {
-    RELIEF_REAL(glVertexAttribPointer);
-    RELIEF_REAL(glVertexAttribIPointer);
-    const auto* const at = reinterpret_cast<const void*>(attribute.offset + moved);
-    if (attribute.is_whole)
-        real_glVertexAttribIPointer(index, attribute.size, attribute.type, attribute.stride, at);
-    else
-        real_glVertexAttribPointer(index, attribute.size, attribute.type, attribute.normalized, attribute.stride, at);
-}
-void attribute_pointer(GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride, const void* at) {
-    const Attribute attribute{size, type, normalized, stride, reinterpret_cast<uintptr_t>(at), bound_buffer, false};
-    place_attribute(index, attributes[bound_array][index] = attribute, 0);
-}
-void attribute_i_pointer(GLuint index, GLint size, GLenum type, GLsizei stride, const void* at) {
-    const Attribute attribute{size, type, GL_FALSE, stride, reinterpret_cast<uintptr_t>(at), bound_buffer, true};
-    place_attribute(index, attributes[bound_array][index] = attribute, 0);
-}
-void draw_elements_base_vertex(GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base) {
-    RELIEF_REAL(glBindBuffer);
-    RELIEF_REAL(glDrawElements);
-    const auto move_attributes = [&](bool by_base) {
-        for (const auto& [index, attribute] : attributes[bound_array]) {
-            real_glBindBuffer(GL_ARRAY_BUFFER, attribute.buffer);
-            place_attribute(index, attribute, by_base ? uintptr_t(base) * uintptr_t(attribute.stride) : 0);
-        }
-        real_glBindBuffer(GL_ARRAY_BUFFER, bound_buffer);
-    };
-    move_attributes(true);
-    real_glDrawElements(mode, count, type, indices);
-    move_attributes(false);
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 
 GLADapiproc load(const char* name) {
     const auto of = [](auto* function) { return reinterpret_cast<GLADapiproc>(function); };
     static const std::map<std::string_view, GLADapiproc> ours = {
-        {"glBindBuffer", of(bind_buffer)},
-        {"glBindVertexArray", of(bind_vertex_array)},
         {"glBlendFunci", of(blend_func_i)},
         {"glClearDepth", of(clear_depth)},
         {"glCreateShader", of(create_shader)},
-        {"glDeleteVertexArrays", of(delete_vertex_arrays)},
         {"glDepthRange", of(depth_range)},
         {"glDisable", of(disable)},
         {"glDrawBuffer", of(draw_buffer)},
-        {"glDrawElementsBaseVertex", of(draw_elements_base_vertex)},
         {"glEnable", of(enable)},
         {"glGetIntegerv", of(get_integerv)},
         {"glGetShaderInfoLog", of(get_shader_info_log)},
@@ -386,8 +320,6 @@ GLADapiproc load(const char* name) {
         {"glUniform3dv", of(uniform_3dv)},
         {"glUniformMatrix3dv", of(uniform_matrix_3dv)},
         {"glUseProgram", of(use_program)},
-        {"glVertexAttribIPointer", of(attribute_i_pointer)},
-        {"glVertexAttribPointer", of(attribute_pointer)},
         {"glViewport", of(viewport)},
     };
     const auto found = ours.find(name);

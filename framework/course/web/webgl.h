@@ -11,7 +11,6 @@ namespace relief::web {
 /// function or an argument of one, another function takes its place, so that labs draw as they are:
 /// - Shaders are converted by es_shader().
 /// - 16-bit normalised textures become 32-bit floats, and border clamping becomes edge clamping.
-/// - Base vertices move the vertex attributes.
 /// - Doubles in uniforms, depth ranges and clear depths are rounded to single precision.
 /// - Capabilities that ES lacks (multisampling) cannot be changed.
 /// - Tessellation is emulated, and so are patches drawn as lines: see patch_drawing.h.

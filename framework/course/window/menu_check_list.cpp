@@ -16,16 +16,10 @@
 #include "framework/course/window/menu_text.h"
 
 namespace relief::window {
-namespace {
 
-struct Sign {
-    const char* sign;
-    ImVec4 color;
-};
-
-Sign sign_of(const std::optional<check::Verdict>& result) {
-    if (!result) return {"\u25cb", quiet};
-    switch (result->outcome) {
+Sign sign_of(const std::optional<check::Outcome>& outcome) {
+    if (!outcome) return {"\u25cb", quiet};
+    switch (*outcome) {
         case check::Outcome::passed:
             return {"\u2713", good};
         case check::Outcome::unfinished:
@@ -38,6 +32,8 @@ Sign sign_of(const std::optional<check::Verdict>& result) {
             return {"!", alarm};
     }
 }
+
+namespace {
 
 /// Returns the line of the task's first function in its file; 0 if it has none or the file is missing.
 int line_of(const TaskInfo& task) {
@@ -79,7 +75,7 @@ void draw_result(const CheckInfo& check, const check::Verdict& result) {
 /// Draws a check's sign and its name, and below a failing one the reason. A click chooses it.
 void draw_check(const CheckInfo& check, const std::optional<check::Verdict>& result, bool waits, bool is_chosen,
                 MenuWish& wish) {
-    const Sign sign = sign_of(result);
+    const Sign sign = sign_of(result ? std::optional(result->outcome) : std::nullopt);
     ImGui::TextColored(waits ? quiet : sign.color, "%s", sign.sign);
     ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
                     ImGui::GetStyle().ItemSpacing.x);
@@ -112,7 +108,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         push_font(font(FontRole::bold));
         wrapped(fmt::format("{}  {}{}", task.id, task.title, task.optional ? " (optional)" : ""));
         ImGui::PopFont();
-        const bool is_whole = checks.state(task) == TaskState::passed;
+        const bool is_whole = checks.worst(task) == check::Outcome::passed;
         colored_text(is_whole ? good : quiet, check::points_text(checks.of(task)));
         ImGui::SameLine();
         const float edit_width = ImGui::CalcTextSize("edit").x + 2 * ImGui::GetStyle().FramePadding.x;

@@ -114,23 +114,10 @@ std::string Checks::progress() const {
     return fmt::format("{} of {}", std::count(waiting_.begin(), waiting_.end(), false), waiting_.size());
 }
 
-TaskState Checks::state(const TaskInfo& task) const {
-    bool all = true, waiting = false, unfinished = false, wrong = false, blocked = false;
-    for (size_t i = 0; i < results_.size(); ++i) {
-        if (manifest_.checks[i].task != task.id) continue;
-        waiting |= !results_[i];
-        if (!results_[i]) continue;
-        unfinished |= results_[i]->outcome == check::Outcome::unfinished;
-        wrong |= results_[i]->outcome > check::Outcome::waiting;
-        blocked |= results_[i]->outcome == check::Outcome::waiting;
-        all &= results_[i]->outcome == check::Outcome::passed;
-    }
-    return waiting      ? TaskState::waiting
-           : all        ? TaskState::passed
-           : unfinished ? TaskState::unfinished
-           : wrong      ? TaskState::wrong
-           : blocked    ? TaskState::blocked
-                        : TaskState::unproven;
+std::optional<check::Outcome> Checks::worst(const TaskInfo& task) const {
+    for (size_t i = 0; i < results_.size(); ++i)
+        if (manifest_.checks[i].task == task.id && !results_[i]) return {};
+    return of(task).worst();
 }
 
 check::TaskVerdict Checks::of(const TaskInfo& task) const {

@@ -11,10 +11,6 @@
 
 namespace relief::window {
 
-/// Progress of a task. `waiting`: not all checks have run. `blocked`: none fails, but some wait for other tasks.
-/// `unproven`: none fails or waits, but some are check::Outcome::unproven.
-enum class TaskState { waiting, passed, wrong, unfinished, blocked, unproven };
-
 class Checks {
 public:
     Checks() = default;
@@ -49,7 +45,8 @@ public:
     bool waits(size_t check) const { return waiting_[check]; }
     /// Returns how many checks are up to date: "3 of 12".
     std::string progress() const;
-    TaskState state(const TaskInfo& task) const;
+    /// Returns the worst outcome of a task's checks; nothing until all have run.
+    std::optional<check::Outcome> worst(const TaskInfo& task) const;
     /// Its checks without their pictures; one that has not run yet is unfinished.
     check::TaskVerdict of(const TaskInfo& task) const;
     std::vector<check::TaskVerdict> tasks() const;

@@ -12,6 +12,7 @@
 #include "framework/core/base/cancel.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
+#include "framework/core/base/own_file.h"
 #include "framework/core/base/text.h"
 #include "framework/course/pages/method_comparison.h"
 #include "framework/course/window/menu_imgui.h"
@@ -20,9 +21,6 @@
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_words.h"
 #include "framework/library/kit/made_map.h"
-#include "framework/library/kit/obj_scene.h"
-#include "framework/library/kit/own_mesh.h"
-#include "framework/library/maps/own_picture.h"
 #include "framework/library/maps/visualize.h"
 
 namespace relief::window {
@@ -86,76 +84,6 @@ std::string sentence(std::string text) {
     return text + ".";
 }
 
-/// Visits the values of a lab's knobs in their order.
-class KnobValues : public Knobs {
-public:
-    void slider(const char*, float& value, float, float, const KnobHelp&) override { visit(value); }
-    void steps(const char*, int& value, int, int, const KnobHelp&) override { visit(value); }
-    void toggle(const char*, bool& value, const KnobHelp&) override { visit(value); }
-    void choice(const char*, int& value, std::span<const char* const>, const KnobHelp&) override { visit(value); }
-    void choice_or_file(const char*, int& value, OwnFile& own, std::span<const char* const> names,
-                        const KnobHelp&) override {
-        visit(value);
-        if (size_t(value) >= names.size()) visit_file(own);
-    }
-
-private:
-    virtual void visit(float& value) = 0;
-    virtual void visit(int& value) = 0;
-    virtual void visit(bool& value) = 0;
-    virtual void visit_file(OwnFile& own) = 0;
-};
-
-/// The values of a lab's knobs, bit for bit, and its files.
-class ReadKnobs final : public KnobValues {
-public:
-    explicit ReadKnobs(Lab& lab) { lab.knobs(*this); }
-    std::vector<double> values;  ///< a double holds each float and each int exactly
-    std::vector<const OwnFile*> files;
-
-private:
-    void visit(float& value) override { values.push_back(double(value)); }
-    void visit(int& value) override { values.push_back(value); }
-    void visit(bool& value) override { values.push_back(value); }
-    void visit_file(OwnFile& own) override { files.push_back(&own); }
-};
-
-/// Sets the knobs of a lab to values, and reads files by their names.
-class WriteKnobs final : public KnobValues {
-public:
-    WriteKnobs(Lab& lab, const std::vector<double>& values, const std::vector<std::filesystem::path>& files)
-        : values_(values), files_(files) {
-        lab.knobs(*this);
-    }
-
-private:
-    void visit(float& value) override { value = float(values_.at(next_value_++)); }
-    void visit(int& value) override { value = int(values_.at(next_value_++)); }
-    void visit(bool& value) override { value = values_.at(next_value_++) != 0; }
-    void visit_file(OwnFile& own) override { own.read(files_.at(next_file_++)); }
-
-    const std::vector<double>& values_;
-    const std::vector<std::filesystem::path>& files_;
-    size_t next_value_ = 0, next_file_ = 0;
-};
-
-bool have_same_contents(const OwnFile& one, const OwnFile& other) {
-    const auto same_mesh = [](const Mesh& a, const Mesh& b) {
-        return a.indices == b.indices && std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
-                                                    b.vertices.end(), [](const Vertex& v, const Vertex& w) {
-                                                        return v.position == w.position && v.normal == w.normal &&
-                                                               v.uv == w.uv;
-                                                    });
-    };
-    if (const auto* const picture = dynamic_cast<const OwnPicture*>(&one))
-        return picture->image().values == dynamic_cast<const OwnPicture&>(other).image().values;
-    if (const auto* const mesh = dynamic_cast<const OwnMesh*>(&one))
-        return same_mesh(mesh->mesh(), dynamic_cast<const OwnMesh&>(other).mesh());
-    if (const auto* const model = dynamic_cast<const OwnObj*>(&one))
-        return same_mesh(model->model().mesh, dynamic_cast<const OwnObj&>(other).model().mesh);
-    return false;
-}
-
 }  // namespace
 
 /// Exact values, computed on a thread by another object of the stage's lab. It reads the user's files again, because
@@ -165,8 +93,6 @@ struct ErrorMap::Work {
     const Shot settings;
     Frame frame;
     std::vector<ProbeInfo> probes;
-    std::vector<double> values;
-    std::vector<std::filesystem::path> files = {};
     Image paint = {};
     std::unique_ptr<Lab> lab = {};
     std::atomic<bool> cancelled = false, ended = false;
@@ -186,9 +112,6 @@ struct ErrorMap::Work {
             std::stable_partition(probes.begin(), probes.end(),
                                   [&](const ProbeInfo& one) { return one.name == chief; });
         }
-        const ReadKnobs knobs(*stage.lab());
-        values = knobs.values;
-        for (const OwnFile* const file : knobs.files) files.push_back(file->file());
         if (auto* const from = dynamic_cast<Paintable*>(stage.lab())) paint = from->paint_layer().values();
     }
     ~Work() {
@@ -199,8 +122,7 @@ struct ErrorMap::Work {
     void run() noexcept {
         try {
             const CancelledBy cancel(cancelled);
-            lab = entry.make();
-            const WriteKnobs written(*lab, values, files);
+            lab = make_lab(entry, settings);
             if (auto* const to = dynamic_cast<Paintable*>(lab.get()); to && !paint.values.empty())
                 to->paint_layer().set(std::move(paint));
             while (!cancelled && !exact && !probes.empty()) {
@@ -268,10 +190,8 @@ bool ErrorMap::finish(Stage& stage) {
 
 void ErrorMap::compare(Stage& stage, const Work& work) {
     if (!work.exact) throw Error(work.failure);
-    const ReadKnobs ours(*stage.lab()), theirs(*work.lab);
-    for (size_t i = 0; i < ours.files.size(); ++i)
-        if (!have_same_contents(*ours.files[i], *theirs.files.at(i)))
-            throw Error({ours.files[i]->file()}, "has changed since it was loaded: load it again");
+    for (const auto& [knob, own] : files_of(*stage.lab()))
+        if (own->has_changed()) throw Error({own->file()}, "has changed since it was loaded: load it again");
     const ProbeInfo& probe = work.probes.front();
     const Image& exact = *work.exact;
     const Target target(TargetKind::probe, work.frame.size);

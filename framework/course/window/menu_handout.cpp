@@ -33,10 +33,8 @@ std::string first_word(const std::string& text) {
 
 /// Returns whether a knob accepts this value: one of its choices, or a number if it takes numbers.
 bool takes(const KnobText& knob, const std::string& value) {
-    if (value.empty()) return false;
-    for (const std::string& choice : split(knob.range, ','))
-        if (first_word(choice) == value && choice.find(" to ") == std::string::npos) return true;
-    return knob.range.find(" to ") != std::string::npos && parse_number(value).has_value();
+    if (knob.is_number()) return parse_number(value).has_value();
+    return std::find(knob.choices.begin(), knob.choices.end(), value) != knob.choices.end();
 }
 
 void draw_code(const std::string& text, float width) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "framework/core/base/error.h"
+#include "framework/course/window/menu_check_list.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
@@ -13,32 +14,14 @@
 namespace relief::window {
 namespace {
 
-struct Sign {
+struct StateSign {
     const char* sign;
     const char* help;
     ImVec4 color;
 };
 
-Sign sign_of(TaskState state) {
-    switch (state) {
-        case TaskState::passed:
-            return {"\u2713", "has all its points", good};
-        case TaskState::wrong:
-            return {"\u2717", "has a check that fails", alarm};
-        case TaskState::unfinished:
-            return {"\u2026", "is not written yet", amber};
-        case TaskState::blocked:
-            return {"\u2026", "waits for another task that is not written or not right", amber};
-        case TaskState::unproven:
-            return {"\u2026", "has a check without a reference to compare with", amber};
-        case TaskState::waiting:
-            break;
-    }
-    return {"\u25cb", "is being checked", quiet};
-}
-
 /// Returns a sign that shows whether the picture uses the shaders in the files.
-Sign sign_of(ShaderState state) {
+StateSign shader_sign(ShaderState state) {
     switch (state) {
         case ShaderState::renewed:
             return {"new", "Shaders were saved since the lab was opened, and are on screen.", good};
@@ -60,16 +43,16 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
     float width = ImGui::CalcTextSize(points.c_str()).x + ImGui::GetStyle().ItemSpacing.x * 2;
     std::vector<std::string> lines;
     for (const TaskInfo& task : tasks) {
-        lines.push_back(fmt::format("{} {}", task.id, sign_of(checks.state(task)).sign));
+        lines.push_back(fmt::format("{} {}", task.id, sign_of(checks.worst(task)).sign));
         width += ImGui::CalcTextSize(lines.back().c_str()).x + ImGui::GetStyle().ItemSpacing.x * 1.5f;
     }
     // Without room for all tasks, show only the points; the panel lists all tasks.
     const bool all = ImGui::GetCursorPosX() + width < right;
     for (size_t i = 0; all && i < tasks.size(); ++i) {
-        const Sign sign = sign_of(checks.state(tasks[i]));
-        ImGui::TextColored(sign.color, "%s", lines[i].c_str());
-        tooltip(fmt::format("Task {}, {}, {}: {}. A click opens its checks.", tasks[i].id, tasks[i].title, sign.help,
-                            check::points_text(checks.of(tasks[i]))));
+        const std::optional<check::Outcome> worst = checks.worst(tasks[i]);
+        ImGui::TextColored(sign_of(worst).color, "%s", lines[i].c_str());
+        tooltip(fmt::format("Task {}, {}, {}: {}. A click opens its checks.", tasks[i].id, tasks[i].title,
+                            worst ? check::name_of(*worst) : "being checked", check::points_text(checks.of(tasks[i]))));
         if (ImGui::IsItemClicked()) wish.ask(LabAction::show_tasks);
         ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 1.5f);
     }
@@ -125,7 +108,7 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     tooltip("The next lab (right, Page Down).");
 
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const Sign shaders = sign_of(stage.shaders());
+    const StateSign shaders = shader_sign(stage.shaders());
     const bool narrow = float(box.size.x) < 1000 * scale;
     const std::string state = fmt::format("{}{}", narrow ? "" : "shaders: ", shaders.sign);
     float right = float(box.size.x) - 14 * scale;

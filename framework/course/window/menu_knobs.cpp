@@ -19,38 +19,15 @@ namespace {
 
 constexpr double mark_for = 2;  // seconds
 
-/// Finds the group of a knob.
-class FindGroup final : public Knobs {
-public:
-    explicit FindGroup(const std::string& knob) : knob_(knob) {}
-    std::string found;
-
-    void group(const char* name) override { group_ = name; }
-    void slider(const char* name, float&, float, float, const KnobHelp&) override { is(name); }
-    void steps(const char* name, int&, int, int, const KnobHelp&) override { is(name); }
-    void toggle(const char* name, bool&, const KnobHelp&) override { is(name); }
-    void choice(const char* name, int&, std::span<const char* const>, const KnobHelp&) override { is(name); }
-
-private:
-    void is(const char* name) {
-        if (name == knob_) found = group_;
-    }
-    const std::string& knob_;
-    std::string group_;
-};
-
 /// Draws a knob's name, its widget, and an arrow that resets it if it differs from its default.
 class DrawKnobs final : public Knobs {
 public:
     DrawKnobs(Stage& stage, Motion& motion, std::string& seek)
         : knobs_(describe_knobs(*stage.lab())), defaults_(stage.defaults()), motion_(motion), seek_(seek) {
-        if (!seek_.empty()) {
-            FindGroup find(seek_);
-            stage.lab()->knobs(find);
-            open_ = find.found;
-        }
-        for (const KnobText& knob : knobs_)
+        for (const KnobText& knob : knobs_) {
+            if (knob.name == seek_) open_ = knob.group;
             label_width_ = std::max(label_width_, ImGui::CalcTextSize(knob.help.title_of(knob.name).c_str()).x);
+        }
         const float room = ImGui::GetContentRegionAvail().x;
         label_width_ = std::min(label_width_ + ImGui::GetStyle().ItemSpacing.x, room * 0.5f);
         widget_end_ = room - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x;
@@ -146,7 +123,7 @@ private:
         std::string note = help.sentence();
         for (const KnobText& knob : knobs_)
             if (knob.name == name)
-                note += fmt::format("\n--set {}: {}; {} at first.", name, knob.range, default_of(name));
+                note += fmt::format("\n--set {}: {}; {} at first.", name, knob.range(), default_of(name));
         if (motion_.slider() == name) note += "\nIt runs. A right click stops it.";
         if (ignored) note += "\nIt changes nothing as the knobs are now.";
         return note;

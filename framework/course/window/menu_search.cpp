@@ -46,9 +46,8 @@ void Search::add(const LabEntry& lab, const Manifest& manifest, const std::vecto
     for (const ProbeInfo& probe : manifest.probes) add("probe", probe.name, probe.unit).probe = probe.name;
     for (const CheckInfo& check : manifest.checks) add("check", check.name, check.task).check = check.name;
     for (const KnobText& knob : knobs) {
-        if (knob.range == "on, off" || knob.range.find(" to ") != std::string::npos) continue;
-        for (const std::string& value : split(knob.range, ',')) {
-            const std::string word = value.substr(value.find_first_not_of(' '));
+        if (knob.is_toggle()) continue;
+        for (const std::string& word : knob.choices) {
             MenuWish& found = add("value", knob.help.title_of(knob.name) + " = " + word, knob.help.sentence());
             found.knob = knob.name, found.value = word;
             all.back().option = knob.name + "=" + word;

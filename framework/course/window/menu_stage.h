@@ -26,7 +26,6 @@ public:
     /// Deletes the current lab with all its GL objects, then creates this one as its manifest says. `start` replaces
     /// the manifest's knobs, camera and probe. Does not throw: a broken manifest or shader becomes error().
     void open(const LabEntry& entry, const Shot* start = nullptr);
-    void restart() { open(*entry_); }
 
     const LabEntry& entry() const { return *entry_; }
     const Manifest& manifest() const { return manifest_; }

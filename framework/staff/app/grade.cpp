@@ -17,6 +17,7 @@
 #include "framework/staff/class/exports.h"
 #include "framework/staff/class/gradescope.h"
 #include "framework/staff/class/merge.h"
+#include "framework/staff/class/progress.h"
 #include "framework/staff/cluster/slurm.h"
 #include "framework/staff/originality/originality.h"
 #include "framework/staff/pages/export_pictures.h"

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/text.h"
 #include "framework/staff/app/grade.h"
+#include "framework/staff/class/progress.h"
 #include "framework/staff/cluster/slurm.h"
 #include "framework/staff/grade/strangers_text.h"
 
@@ -17,26 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* report_file = "report.html";
-
-void print_part(const grade::PartState& part) {
-    std::string text = part.state;
-    if (part.state == "runs") text = "runs on " + part.node;
-    if (part.state == "failed") text = part.node.empty() ? "failed" : "failed on " + part.node;
-    if (part.state == "unknown") text = "unknown, because squeue fails";
-    if (!part.reason.empty() && part.reason != "None") text += fmt::format(" ({})", part.reason);
-    if (!part.job.empty() && part.state != "done") text += ", job " + part.job;
-    if (part.part > 0)
-        fmt::print("part {:>4}  {:>9}  {}\n", part.part, fmt::format("{}/{}", part.results, part.submissions), text);
-    else
-        fmt::print("report     {:>9}  {}\n", "", text);
-}
-
-nlohmann::ordered_json as_json(const grade::PartState& part) {
-    nlohmann::ordered_json json;
-    if (part.part > 0) json = {{"part", part.part}, {"submissions", part.submissions}, {"results", part.results}};
-    json.update({{"state", part.state}, {"node", part.node}, {"job", part.job}, {"reason", part.reason}});
-    return json;
-}
 
 }  // namespace
 
@@ -70,26 +52,39 @@ int start_class(const grade::ClassOptions& options, int parts, int processors, c
 int print_status(const fs::path& folder, bool json) {
     const grade::ClassProgress progress = grade::read_progress(folder);
     const auto cluster = grade::read_cluster(folder);
-    std::vector<grade::PartState> states;
-    if (cluster) states = grade::part_states(folder, *cluster, progress);
     const std::vector<std::string> lacking = progress.without_result();
+    const std::vector<std::string> jobs = cluster ? grade::jobs_at_work(*cluster) : std::vector<std::string>();
     const bool has_report = cluster ? cluster->has_report : fs::exists(folder / report_file);
+    const size_t parts = cluster ? size_t(cluster->parts) : 0;
+    std::vector<std::array<size_t, 2>> counts(parts);  // of results and of submissions
+    for (size_t i = 0; i < progress.marks.size() && parts > 0; ++i)
+        counts[i % parts][0] += progress.marks[i].has_value(), ++counts[i % parts][1];
     if (json) {
         nlohmann::ordered_json all = {{"submissions", progress.marks.size()},
                                       {"results", progress.results()},
                                       {"report", has_report},
                                       {"without_result", nlohmann::ordered_json::array()}};
         for (const std::string& name : lacking) all["without_result"].push_back(grade::utf8_of_bytes(name));
-        for (const grade::PartState& part : states)
-            if (part.part > 0)
-                all["parts"].push_back(as_json(part));
-            else
-                all["last_job"] = as_json(part);
+        if (cluster) all["jobs"] = jobs;
+        for (size_t i = 0; i < parts; ++i)
+            all["parts"].push_back({{"part", i + 1},
+                                    {"submissions", counts[i][1]},
+                                    {"results", counts[i][0]},
+                                    {"said", grade::last_message(folder, int(i) + 1)}});
         fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
         return 0;
     }
     fmt::print("{}: {} of {} submissions have a result\n", folder.string(), progress.results(), progress.marks.size());
-    for (const grade::PartState& part : states) print_part(part);
+    for (size_t i = 0; i < parts; ++i) {
+        const auto [results, submissions] = counts[i];
+        const std::string said = results < submissions ? grade::last_message(folder, int(i) + 1) : "";
+        fmt::print("part {:>4}  {:>9}{}{}\n", i + 1, fmt::format("{}/{}", results, submissions),
+                   said.empty() ? "" : "  ", said);
+    }
+    if (!jobs.empty()) fmt::print("Slurm has: {}; squeue shows where they run, or why they wait\n", join(jobs, ", "));
+    if (cluster && jobs.empty() && !has_report)
+        if (const std::string said = grade::last_message(folder, 0); !said.empty())
+            fmt::print("the last job: {}\n", said);
     if (!lacking.empty()) fmt::print("without a result: {}\n", grade::some_of(lacking));
     if (has_report) fmt::print("the report: {}\n", (folder / report_file).string());
     return 0;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -33,44 +32,6 @@ std::string write_script(const fs::path& folder, const char* name, const char* c
     return (place(folder) / name).string();
 }
 
-/// Returns the job of a part, or the last job (part 0).
-const QueuedJob* find_job(const std::vector<QueuedJob>& queue, const Cluster& cluster, int part) {
-    for (const QueuedJob& job : queue)
-        if (part > 0 ? job.job == cluster.parts_job && job.task == part : job.job == cluster.report_job) return &job;
-    return nullptr;
-}
-
-/// Returns why a job ended without results: the last message of its grader, or the state that Slurm reports.
-std::string reason_of(const fs::path& log, const QueuedJob* job) {
-    std::string said;
-    if (std::error_code unknown; fs::exists(log, unknown))
-        for (const std::string& line : split(read_file(log), '\n'))
-            if (line.starts_with("relief: ") || line.starts_with("slurmstepd: "))
-                said = line.substr(line.find(' ') + 1);
-    if (!job || job->state == "COMPLETED" || (job->state == "FAILED" && !said.empty())) return printable(said);
-    std::string state = job->state;
-    for (char& c : state) c = c == '_' ? ' ' : char(std::tolower(static_cast<unsigned char>(c)));
-    return state;
-}
-
-/// Sets a part's state from its job; `job` is null if Slurm does not know it.
-void set_state(PartState& part, const QueuedJob* job, bool slurm_answers, const fs::path& log) {
-    if (job) {
-        part.job = job->task ? fmt::format("{}_{}", job->job, *job->task) : job->job;
-        if (!job->node.empty()) part.node = job->node;
-    }
-    if (part.submissions > 0 && part.results == part.submissions)
-        part.state = "done";
-    else if (job && job->runs())
-        part.state = "runs";
-    else if (job && job->waits())
-        part.state = "waits", part.reason = job->reason;
-    else if (slurm_answers || job)
-        part.state = "failed", part.reason = reason_of(log, job);
-    else
-        part.state = "unknown";
-}
-
 }  // namespace
 
 std::optional<Cluster> read_cluster(const fs::path& folder) {
@@ -88,10 +49,20 @@ std::optional<Cluster> read_cluster(const fs::path& folder) {
 }
 
 Words jobs_at_work(const Cluster& cluster) {
-    std::set<std::string> jobs;
-    for (const QueuedJob& job : queued_jobs().value_or(std::vector<QueuedJob>{}))
-        if ((job.job == cluster.parts_job || job.job == cluster.report_job) && !job.has_ended()) jobs.insert(job.job);
-    return {jobs.begin(), jobs.end()};
+    const std::set<std::string> queued = queued_jobs();
+    Words jobs = {cluster.parts_job, cluster.report_job};
+    std::erase_if(jobs, [&](const std::string& job) { return !queued.contains(job); });
+    return jobs;
+}
+
+std::string last_message(const fs::path& folder, int part) {
+    const fs::path log = place(folder) / (part == 0 ? "last.log" : fmt::format("part-{}.log", part));
+    std::string said;
+    if (std::error_code unknown; fs::exists(log, unknown))
+        for (const std::string& line : split(read_file(log), '\n'))
+            if (line.starts_with("relief: ") || line.starts_with("slurmstepd: "))
+                said = line.substr(line.find(' ') + 1);
+    return printable(said);
 }
 
 Cluster send_class(const fs::path& folder, int parts, int jobs_at_a_time, const Words& options) {
@@ -121,28 +92,6 @@ Cluster send_class(const fs::path& folder, int parts, int jobs_at_a_time, const 
         {"schema", 2}, {"parts", parts}, {"job", cluster.parts_job}, {"report", cluster.report_job}};
     write_file_to_disk(place(folder) / "cluster.json", json.dump(2) + "\n");
     return cluster;
-}
-
-std::vector<PartState> part_states(const fs::path& folder, const Cluster& cluster, const ClassProgress& progress) {
-    const auto queue = queued_jobs();
-    const std::vector<QueuedJob> jobs = queue.value_or(std::vector<QueuedJob>{});
-    std::vector<PartState> states;
-    for (int part = 1; part <= cluster.parts; ++part) {
-        PartState state;
-        state.part = part;
-        for (size_t i = size_t(part - 1); i < progress.marks.size(); i += size_t(cluster.parts)) {
-            ++state.submissions;
-            state.results += progress.marks[i].has_value();
-        }
-        set_state(state, find_job(jobs, cluster, part), queue.has_value(),
-                  place(folder) / fmt::format("part-{}.log", part));
-        states.push_back(std::move(state));
-    }
-    PartState last;
-    set_state(last, find_job(jobs, cluster, 0), queue.has_value(), place(folder) / "last.log");
-    if (cluster.has_report) last.state = "done", last.reason.clear();
-    states.push_back(std::move(last));
-    return states;
 }
 
 }  // namespace relief::grade

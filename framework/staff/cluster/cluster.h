@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "framework/staff/class/progress.h"
-
 namespace relief::grade {
 
 /// The content of FOLDER/slurm/cluster.json.
@@ -25,7 +23,7 @@ struct Cluster {
 /// damaged.
 std::optional<Cluster> read_cluster(const std::filesystem::path& folder);
 
-/// Returns the jobs of the class that wait or run, according to Slurm.
+/// Returns the jobs of the class that wait or run, according to squeue. None if it fails.
 std::vector<std::string> jobs_at_work(const Cluster& cluster);
 
 /// Writes the jobs' scripts into FOLDER/slurm, where they replace scripts of an earlier run. Then submits all parts and
@@ -34,17 +32,7 @@ std::vector<std::string> jobs_at_work(const Cluster& cluster);
 Cluster send_class(const std::filesystem::path& folder, int parts, int jobs_at_a_time,
                    const std::vector<std::string>& options);
 
-/// A part of the class, or the last job.
-struct PartState {
-    int part = 0;  ///< counts from 1; 0: the last job
-    size_t submissions = 0, results = 0;
-    std::string state;   ///< "done", "runs", "waits", "failed", "unknown"
-    std::string node;    ///< where it runs or ran; may be empty
-    std::string job;     ///< "12_3"; may be empty
-    std::string reason;  ///< why it waits or failed; may be empty
-};
-/// Returns the states of all parts, and then of the last job.
-std::vector<PartState> part_states(const std::filesystem::path& folder, const Cluster& cluster,
-                                   const ClassProgress& progress);
+/// Returns the last message of a part's grader, or of the last job's (part 0), from its log. Empty if it has none.
+std::string last_message(const std::filesystem::path& folder, int part);
 
 }  // namespace relief::grade

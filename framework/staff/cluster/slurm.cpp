@@ -37,16 +37,6 @@ ProcessResult run_slurm(const Words& command) {
     return run_process({.command = command, .environment = environment_of_jobs(), .limits = {.wall = 120, .cpu = 60}});
 }
 
-/// Returns the lines of a command's output, split at '|'; nothing if the command fails.
-std::optional<std::vector<Words>> table_from(const Words& command) {
-    const ProcessResult done = run_slurm(command);
-    if (!done.succeeded()) return {};
-    std::vector<Words> rows;
-    for (const std::string& line : split(done.output, '\n'))
-        if (!line.empty()) rows.push_back(split(line, '|'));
-    return rows;
-}
-
 }  // namespace
 
 bool has_slurm() {
@@ -81,23 +71,10 @@ std::string submit_job(const Words& options, const Words& script) {
     return job;
 }
 
-bool QueuedJob::waits() const {
-    return state == "PENDING" || state == "REQUEUED" || state == "REQUEUE_HOLD" || state == "REQUEUE_FED" ||
-           state == "SPECIAL_EXIT" || state == "RESV_DEL_HOLD";
-}
-bool QueuedJob::runs() const {
-    return state == "RUNNING" || state == "CONFIGURING" || state == "COMPLETING" || state == "SUSPENDED" ||
-           state == "STOPPED" || state == "SIGNALING" || state == "STAGE_OUT" || state == "RESIZING";
-}
-
-std::optional<std::vector<QueuedJob>> queued_jobs() {
-    const auto rows = table_from({"squeue", "--noheader", "--array", "--states=all",
-                                  "--user=" + std::to_string(getuid()), "--format=%F|%K|%T|%N|%r"});
-    if (!rows) return {};
-    std::vector<QueuedJob> jobs;
-    for (const Words& row : *rows)
-        if (row.size() == 5) jobs.push_back({row[0], parse_int(row[1]), row[2], row[3], row[4]});
-    return jobs;
+std::set<std::string> queued_jobs() {
+    const ProcessResult done = run_slurm({"squeue", "--noheader", "--user=" + std::to_string(getuid()), "--format=%F"});
+    const Words jobs = split(done.succeeded() ? done.output : "", '\n');
+    return {jobs.begin(), jobs.end()};
 }
 
 }  // namespace relief::grade

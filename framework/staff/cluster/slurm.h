@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,19 +20,7 @@ std::optional<int> processors_from_slurm();
 /// not its resource limits. Throws Error with sbatch's message.
 std::string submit_job(const std::vector<std::string>& options, const std::vector<std::string>& script);
 
-/// A job, or a task of an array, as squeue knows it. Slurm forgets an ended job after some minutes.
-struct QueuedJob {
-    std::string job;          ///< number; for a task, the number of its array
-    std::optional<int> task;  ///< index in its array
-    std::string state;        ///< "PENDING", "RUNNING", "COMPLETED", "FAILED", "NODE_FAIL" ...
-    std::string node;         ///< where it runs or ran; empty while it waits
-    std::string reason;       ///< why it waits
-
-    bool waits() const;
-    bool runs() const;
-    bool has_ended() const { return !waits() && !runs(); }
-};
-/// Returns this user's jobs; nothing if squeue fails.
-std::optional<std::vector<QueuedJob>> queued_jobs();
+/// Returns the numbers of this user's jobs that wait or run; that of its array for a task. None if squeue fails.
+std::set<std::string> queued_jobs();
 
 }  // namespace relief::grade

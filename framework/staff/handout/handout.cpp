@@ -69,7 +69,7 @@ void refuse_lost_includes(const HandedFiles& files) {
         for (auto match = std::sregex_iterator(file.bytes.begin(), file.bytes.end(), form);
              match != std::sregex_iterator(); ++match) {
             const std::string name = (*match)[2], included = "shaders/" + name, lab = lab_of(included);
-            if (!lab.empty() && lab != lab_of(path) && lab != staff)
+            if (!lab.empty() && lab != lab_of(path))
                 throw Error({path}, fmt::format("includes {} of another lab, which may be handed out later: what both "
                                                 "need belongs in shaders/common",
                                                 included));

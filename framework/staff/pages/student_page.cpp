@@ -53,12 +53,10 @@ private:
     }
 
     Fields of(const grade::LabMark& lab, const check::TaskVerdict& task) {
-        check::Outcome worst = check::Outcome::passed;
         task_has_pictures_ = false;
         told_.clear();
         List checks;
         for (const check::Verdict& check : task.checks) {
-            worst = std::max(worst, check.outcome);
             any_hidden_ |= check.hidden;
             const bool is_secret = for_student_ && (check.hidden || !check.view.empty());
             checks.push_back(is_secret ? secret(task, check) : of(lab, task, check));
@@ -69,7 +67,7 @@ private:
                 {"points", check::points_text(task.points())},
                 {"of", task.of},
                 {"optional", task.optional ? "optional " : ""},
-                {"worst", badge(worst)},
+                {"worst", badge(task.worst())},
                 {"mistake", task.hint.empty() ? "" : task.mistake},
                 {"hint", with_code(task.hint)},
                 {"checks", std::move(checks)}};

@@ -11,7 +11,6 @@
 #include "framework/core/image/dds.h"
 #include "framework/core/image/mips.h"
 #include "framework/staff/reference/degrees.h"
-#include "framework/staff/reference/normal_map.h"
 
 namespace relief {
 namespace {
@@ -46,17 +45,15 @@ std::string dds_header(const Image& map, RgtcKind kind, size_t levels, size_t by
     return bytes;
 }
 
-glm::dvec3 normal_of(const Image& map, int x, int y) {
-    const float* const texel = map.pixel(x, y);
-    return glm::normalize(decode_normal({texel[0], texel[1], texel[2]}));
-}
+glm::dvec3 direction_of(const float* texel) { return 2.0 * glm::dvec3(texel[0], texel[1], texel[2]) - 1.0; }
+
+glm::dvec3 normal_of(const Image& map, int x, int y) { return glm::normalize(direction_of(map.pixel(x, y))); }
 
 void check(const Image& map) {
     if (map.channels < 3) throw Error("is grey: a normal map has three channels");
     size_t inward = 0;
     for (size_t i = 0; i < map.pixel_count(); ++i) {
-        const float* const texel = map.values.data() + i * size_t(map.channels);
-        const glm::dvec3 normal = decode_normal({texel[0], texel[1], texel[2]});
+        const glm::dvec3 normal = direction_of(map.values.data() + i * size_t(map.channels));
         const double length = glm::length(normal);
         if (!(length > 1e-3 && length < 1e6))
             throw Error(

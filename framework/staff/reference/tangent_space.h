@@ -1,4 +1,4 @@
-// Tangent frames, and directions in them, in double precision. The twin of shaders/staff/tangent_space.glsl.
+// Tangent frames, and directions in them, in double precision.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -20,14 +20,8 @@ glm::dvec3 to_tangent_space(const glm::dvec3& direction, const glm::dvec3& norma
 /// perpendicular. This is the frame of MikkTSpace (Mikkelsen 2008) with the bitangent of each pixel. The program that
 /// bakes a map decides which frame it needs.
 glm::dmat3 interpolated_frame(const glm::dvec3& normal, const glm::dvec4& tangent);
-glm::dvec3 from_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
-/// The inverse of from_interpolated_frame(). NaN if normal and tangent are parallel, or if one is zero.
+/// Transforms a direction into the interpolated frame. The result is normalised. NaN if normal and tangent are
+/// parallel, or if one is zero.
 glm::dvec3 to_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
-
-/// Returns a frame from screen derivatives of position and uv (dFdx and dFdy), without vertex tangents (Schüler 2013).
-/// The first two columns are the gradients of u and v on the surface, scaled together so that the longer one has unit
-/// length. They are not perpendicular where the uv are sheared, and zero where the uv do not change.
-glm::dmat3 cotangent_frame(const glm::dvec3& normal, const glm::dvec3& position_dx, const glm::dvec3& position_dy,
-                           const glm::dvec2& uv_dx, const glm::dvec2& uv_dy);
 
 }  // namespace relief
