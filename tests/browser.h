@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -49,6 +50,18 @@ public:
     /// Returns texts whose contrast with their background is below 4.5, the minimum of WCAG AA. The words of a plot are
     /// on the plot's own white background.
     std::vector<std::string> faint_texts();
+    /// Returns the faint texts in light, and then those in the dark with a mark. Calls `each` in both, and ends in
+    /// light.
+    std::vector<std::string> faint_texts_in_both(const std::function<void(bool is_dark)>& each = {}) {
+        std::vector<std::string> texts;
+        for (const bool is_dark : {false, true}) {
+            dark(is_dark);
+            for (const std::string& text : faint_texts()) texts.push_back((is_dark ? "in the dark: " : "") + text);
+            if (each) each(is_dark);
+        }
+        dark(false);
+        return texts;
+    }
     /// Returns the faults that axe-core finds on the page at widths of 1440 and 390 pixels, in light and in dark, with
     /// all details open: each fault once. Includes the rule on the size of targets, which is new in WCAG 2.2. Throws if
     /// axe-core is not installed; the script relief installs it for `test --ci`.

@@ -14,18 +14,18 @@
 
 namespace relief {
 
-/// Returns the rows of the table with this heading: a feature, and what happens to it.
+/// Returns the first two columns of the table with this heading: a feature, and what happens to it.
 inline std::vector<std::pair<std::string, std::string>> feature_rows(const std::string& heading) {
     std::vector<std::pair<std::string, std::string>> rows;
     bool is_inside = false;
     for (const std::string& line : split(read_file(course_root() / "labs/staff/README.md"), '\n')) {
-        if (line == "| " + heading + " | |")
+        if (line.starts_with("| " + heading + " |"))
             is_inside = true;
         else if (is_inside && !line.starts_with("|"))
             break;
         else if (is_inside && !line.starts_with("|---")) {
-            const size_t end = line.rfind(" | ");
-            rows.emplace_back(line.substr(2, end - 2), line.substr(end + 3, line.size() - end - 5));
+            const size_t middle = line.find(" | "), end = line.find(" |", middle + 3);
+            rows.emplace_back(line.substr(2, middle - 2), line.substr(middle + 3, end - middle - 3));
         }
     }
     return rows;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support.h"
+
 namespace relief {
 
 struct Result {
@@ -42,6 +44,26 @@ private:
 
 inline Result run(const std::vector<std::string>& command, const Circumstances& where = {}) {
     return Process(command, where).wait();
+}
+
+/// A run that must be refused: the words of its command, a part of its message, and its exit code.
+struct Refusal {
+    std::vector<std::string> words;
+    std::string said;
+    int code = 2;
+};
+
+/// Expects that each run ends with its code, and writes one line with `said` to standard error and nothing to standard
+/// output.
+template <class Run>
+void expect_refused(Run run_of, const std::vector<Refusal>& cases) {
+    for (const auto& [words, said, code] : cases) {
+        const Result result = run_of(words);
+        EXPECT_EQ(result.code, code) << said << "\n" << result.err;
+        EXPECT_TRUE(contains(result.err, said)) << said << "\n" << result.err;
+        EXPECT_EQ(occurrences(result.err, "\n"), 1u) << result.err;
+        EXPECT_EQ(result.out, "") << said;
+    }
 }
 
 /// Returns the path of this build's executable.

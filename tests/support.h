@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,6 +88,44 @@ inline bool is_in_sample(std::string_view lab) {
     return !labs || std::string_view(labs).find(lab) != std::string_view::npos;
 }
 
+/// Returns the text with each occurrence of `from` replaced. Fails the test if there is none.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// Sets environment variables and restores them at the end. An empty value removes the variable.
+class Environment {
+public:
+    explicit Environment(const std::map<std::string, std::string>& variables) {
+        for (const auto& [name, value] : variables) {
+            const char* const now = std::getenv(name.c_str());
+            before_[name] = now ? now : "";
+            set(name, value);
+        }
+    }
+    ~Environment() {
+        for (const auto& [name, value] : before_) set(name, value);
+    }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+private:
+    static void set(const std::string& name, const std::string& value) {
+        value.empty() ? unsetenv(name.c_str()) : setenv(name.c_str(), value.c_str(), 1);
+    }
+    std::map<std::string, std::string> before_;
+};
+
 inline bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+/// Returns how often `part` occurs in `text`.
+inline size_t occurrences(std::string_view text, std::string_view part) {
+    size_t count = 0;
+    for (size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
 
 }  // namespace relief

@@ -1,7 +1,6 @@
 // Lab 07: a baked map is right only with the renderer that it was baked for. A bake runs only when an input changes.
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/gl/counters.h"
 #include "framework/core/gl/program.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/labs/shots.h"
@@ -115,8 +114,8 @@ TEST(Baking, ALargerMapIsNearerToTheFineModel) {
 }
 
 TEST(Baking, PaddingKeepsSeamsOutOfSmallLevels) {
-    const auto seams = [](const char* padding) {
-        return error_of("07", shot_of("07", one({{"padding", padding}, {"level", "3"}}), "normal")).p99;
+    const auto seams = [](const char* texels) {
+        return error_of("07", shot_of("07", one({{"padding", texels}, {"level", "3"}}), "normal")).p99;
     };
     EXPECT_LT(seams("8"), 20);
     EXPECT_GT(seams("0"), 60);
@@ -125,12 +124,7 @@ TEST(Baking, PaddingKeepsSeamsOutOfSmallLevels) {
 TEST(Baking, RunsAgainOnlyWhenAnInputChanges) {
     Shot shot = shot_of("07", {}, "", {96, 64});
     const auto lab = make_lab(find_lab("07"), shot);
-    const Target target(TargetKind::picture, shot.size);
-    const auto draw_calls = [&] {
-        const int64_t before = counters().draw_calls;
-        draw_lab(*lab, frame_of(shot, target));
-        return counters().draw_calls - before;
-    };
+    const auto draw_calls = [&] { return work_of(*lab, shot).draws; };
     const int64_t first = draw_calls(), still = draw_calls();
     EXPECT_EQ(first - still, 2 * (1 + 8 + 1)) << "a bake, eight steps of padding and the picture, of shell and cube";
     for (const auto& [knob, value] : {std::pair("light_yaw", "20"), {"level", "2"}, {"frame", "each-unit"}}) {

@@ -525,9 +525,10 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
         grade::CourseFiles files = grade::edited(edits);
         if (std::all_of(files.begin(), files.end(), [](const auto& file) { return is_shader(file.first); })) {
             const grade::CourseOverlay overlay(files);
-            for (const check::TaskVerdict& task :
-                 check::check_lab(GetParam(), students, [&](const CheckInfo& one) { return expected.at(one.name); }))
-                said[task.id] = {task.points() < task.of, task.hint};
+            check::LabChecker checker(GetParam(), students);
+            for (const size_t i : check::checks_in_order(students))
+                checker.run(i, expected.at(students.checks[i].name));
+            for (const check::TaskVerdict& task : checker.tasks()) said[task.id] = {task.points() < task.of, task.hint};
         } else {
             files[grading] = "";
             for (const VariantCheck& one : check_variant(GetParam(), files, expected)) {

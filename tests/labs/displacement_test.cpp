@@ -1,5 +1,5 @@
 // Lab 13: tessellation converges to the exact surface, reads the expected mip level and has the exact normals, at any
-// distance from the origin. Every pixel is finite.
+// distance from the origin.
 #include "framework/library/kit/displaced_surface.h"
 #include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/patch_points.h"
@@ -16,11 +16,6 @@ constexpr double globe_radius = 1;  ///< of the sphere and the globe, metres
 Shot one(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {96, 96}) {
     knobs.emplace(knobs.begin(), "view", "one");
     return shot_of("13", std::move(knobs), probe, size);
-}
-
-std::vector<Knob> with(std::vector<Knob> knobs, std::vector<Knob> more) {
-    knobs.insert(knobs.end(), more.begin(), more.end());
-    return knobs;
 }
 
 /// One lab for many shots, so that its programs are compiled once. Knobs keep their values between shots.
@@ -370,23 +365,13 @@ TEST(Displacement, EveryRayThatEntersAClosedSurfaceLeavesIt) {
                 const auto lab = make_lab(find_lab("13"), shot);
                 for (const char* level : {"1", "3.3", "10"}) {
                     set_knob(*lab, "level", level);
-                    const Image winding = render_shot(*lab, shot);
-                    size_t open = 0;
-                    for (size_t i = 0; i < winding.values.size(); i += 4) open += winding.values[i] != 0;
-                    EXPECT_EQ(open, 0u) << surface << " " << corners << " " << spacing << " " << level;
+                    EXPECT_EQ(holes_of(render_shot(*lab, shot)), 0u)
+                        << surface << " " << corners << " " << spacing << " " << level;
                 }
             }
 }
 
-void expect_finite(const Image& image, const std::string& what) {
-    for (const float value : image.values)
-        if (!std::isfinite(value) && value != no_surface) {
-            ADD_FAILURE() << what << ": " << value;
-            return;
-        }
-}
-
-TEST(Displacement, EveryPixelIsFiniteForAnyDepthAndMap) {
+TEST(Displacement, EveryPixelIsFiniteForAnyDepth) {
     Rig rig;
     rig.level = 5;
     for (const int shape : {DisplacedSurface::wall, DisplacedSurface::globe, DisplacedSurface::torus,
@@ -394,67 +379,10 @@ TEST(Displacement, EveryPixelIsFiniteForAnyDepthAndMap) {
         for (const float depth : {0.0f, 1e-30f, 1e-6f, 0.5f, 1e6f}) {
             rig.surface.shape = shape, rig.surface.depth = depth;
             for (const char* probe : {"depth", "normal", "place"})
-                expect_finite(rig.probe(probe, {.distance = depth > 1 ? 3e6 : 4.0}, {40, 40}),
-                              std::string(probe) + " of shape " + std::to_string(shape) + ", " + std::to_string(depth));
+                for (const float value : rig.probe(probe, {.distance = depth > 1 ? 3e6 : 4.0}, {40, 40}).values)
+                    ASSERT_TRUE(std::isfinite(value) || value == no_surface)
+                        << probe << " of shape " << shape << ", " << depth;
         }
-    Kept kept(one({{"level", "6"}}, "normal", {40, 40}));
-    for (const char* map : {"low", "plateau", "damaged"})
-        for (const char* size : {"1", "256"})
-            for (const char* normals : {"map", "heights", "surface"})
-                expect_finite(kept.drawn({{"map", map}, {"size", size}, {"normals", normals}}, "normal"),
-                              std::string(map) + " " + size + " " + normals);
-}
-
-TEST(Displacement, EveryPixelIsFiniteFromAnyEye) {
-    // On a vertex of the flat wall, in its plane, edge-on, behind it, and inside the relief.
-    std::vector<std::pair<const char*, Orbit>> views;
-    for (const double yaw : {0.0, 90.0, 180.0})
-        for (const double z : {0.0, -0.05, -0.3})
-            views.push_back({"wall", {.yaw = yaw, .pitch = 0, .distance = 0.5, .target = {0, 0, z}}});
-    views.push_back({"wall", {.yaw = 0, .pitch = 0, .distance = 1, .target = {0, 0, -1}}});
-    views.push_back({"sphere", {.yaw = 0, .pitch = 0, .distance = 1, .target = {0, 0, 0}}});
-    views.push_back({"sphere", {.yaw = 0, .pitch = 0, .distance = 0.01, .target = {0, 0, 0}}});
-    views.push_back({"globe", {.yaw = 0, .pitch = 89, .distance = 1.2, .target = {0, 0, 0}}});
-    for (const char* corners : corner_counts) {
-        const Shot shot = one({{"corners", corners}, {"level", "7.5"}, {"spacing", "fractional-odd"}}, "", {40, 40});
-        const auto lab = make_lab(find_lab("13"), shot);
-        const Target light(TargetKind::light, shot.size), numbers(TargetKind::probe, shot.size);
-        for (const auto& [surface, orbit] : views) {
-            set_knob(*lab, "surface", surface);
-            for (const char* probe : {"", "depth", "normal", "winding"}) {
-                const Target& target = *probe ? numbers : light;
-                draw_lab(*lab, {target.framebuffer(), shot.size, 0, Camera(orbit, 1), {probe}});
-                expect_finite(target.read(), std::string(surface) + " from yaw " + std::to_string(orbit.yaw) + ", z " +
-                                                 std::to_string(orbit.target.z) + ", probe " + probe);
-            }
-        }
-    }
-}
-
-TEST(Displacement, TheTruthOfAPlateauIsAPlane) {
-    // The plateau is half of 0.1 m below the wall. A pixel shows it if its ray crosses z = -0.05 within the wall's
-    // outline.
-    Shot shot = one(with(smooth_wall, {{"map", "plateau"}}), "depth");
-    shot.camera = {.yaw = 35, .pitch = 20, .distance = 4};
-    const Image truth = truth_of(*make_lab(find_lab("13"), shot), shot);
-    const Frame frame{0, shot.size, 0, Camera(shot.camera, 1), {}};
-    double largest = 0;
-    size_t inside = 0;
-    for (int y = 0; y < shot.size.y; ++y)
-        for (int x = 0; x < shot.size.x; ++x) {
-            const Ray ray = frame.ray(x, y);
-            const double t = (-0.05 - ray.origin.z) / ray.direction.z;
-            const glm::dvec3 hit = ray.origin + t * ray.direction;
-            const double beyond = std::max(std::abs(hit.x), std::abs(hit.y));
-            const float depth = *truth.pixel(x, y);
-            if (beyond < 1) {
-                ++inside, largest = std::max(largest, std::abs(double(depth) - t));
-            } else {
-                EXPECT_EQ(depth, no_surface) << x << ", " << y;
-            }
-        }
-    EXPECT_GT(inside, 1000u);
-    EXPECT_LT(largest, 1e-6);  // stored in floats
 }
 
 }  // namespace

@@ -69,16 +69,8 @@ private:
 
 /// Returns the extreme values of a knob: the ends of its range, or all of its choices.
 std::vector<std::string> extremes(const KnobText& knob) {
-    std::vector<std::string> values;
-    std::string range = knob.range;
-    if (const size_t whole = range.find(", whole"); whole != std::string::npos) range.resize(whole);
-    const bool is_list = range.find(" to ") == std::string::npos;
-    const std::string separator = is_list ? ", " : " to ";
-    for (size_t begin = 0, end = 0; end != std::string::npos; begin = end + separator.size()) {
-        end = range.find(separator, begin);
-        values.push_back(range.substr(begin, end - begin));
-    }
-    return values;
+    if (!knob.is_number()) return knob.choices;
+    return {plain(knob.low), plain(knob.high)};
 }
 
 bool EveryLab::changes_a_larger_picture(const KnobText& knob) const {
@@ -149,10 +141,10 @@ Setting random_setting(const std::vector<KnobText>& knobs, std::mt19937& dice) {
         std::vector<std::string> values = extremes(knob);
         std::erase_if(values, [](const std::string& value) { return value == "4096"; });
         std::string value = values[dice() % values.size()];
-        const bool is_whole = knob.range.find(", whole") != std::string::npos;
-        if (knob.range.find(" to ") != std::string::npos && dice() % 2) {
-            const double low = std::stod(values[0]), high = std::stod(values[1]), share = dice() / 4294967296.0;
-            value = is_whole ? std::to_string(int(low + share * (high - low + 1))) : plain(low + share * (high - low));
+        if (knob.is_number() && dice() % 2) {
+            const double low = double(knob.low), high = double(knob.high), share = dice() / 4294967296.0;
+            value =
+                knob.is_whole ? std::to_string(int(low + share * (high - low + 1))) : plain(low + share * (high - low));
         }
         setting.emplace_back(knob.name, dice() % 2 ? value : knob.value);
     }
@@ -192,8 +184,7 @@ TEST_P(EveryLab, HasAHandoutWhoseSentencesWriteSettingsInCode) {
     }
     for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
         for (const std::string& value : extremes(knob)) {
-            const bool is_number = knob.range.find(" to ") != std::string::npos;
-            const std::string ends = is_number ? " -?[0-9]" : "( to)? " + value + "(?![\\w-])";
+            const std::string ends = knob.is_number() ? " -?[0-9]" : "( to)? " + value + "(?![\\w-])";
             std::smatch found;
             EXPECT_FALSE(std::regex_search(prose, found, std::regex("`" + knob.name + "`" + ends)))
                 << "write `" << knob.name << "=" << value << "` instead of " << found.str();

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "framework/core/base/paths.h"
-#include "framework/core/gl/counters.h"
 #include "framework/core/image/file.h"
 #include "framework/staff/reference/masks.h"
 #include "labs/08_obj_materials/scene.h"
@@ -38,18 +37,7 @@ TEST(ObjMaterials, WeightedGlassNeedsNoOrderAndBeatsTheWrongOrder) {
     EXPECT_GT(weighted, 1e-3) << "it is no exact method";
 }
 
-struct Work {
-    int64_t links, draws, bytes;
-};
-Work work_of(const std::vector<Knob>& knobs) {
-    const Shot shot = shot_of("08", knobs, "", {32, 32});
-    const auto lab = make_lab(find_lab("08"), shot);
-    const Target target(TargetKind::picture, shot.size);
-    const Counters before = counters();
-    draw_lab(*lab, frame_of(shot, target));
-    return {counters().links - before.links, counters().draw_calls - before.draw_calls,
-            counters().texture_bytes - before.texture_bytes};
-}
+Work work_of(std::vector<Knob> knobs) { return work_of("08", shot_of("08", std::move(knobs), "", {32, 32})); }
 
 TEST(ObjMaterials, ProgramsAreSetsOfFeaturesAndNotMaterials) {
     const Work garden = work_of({{"view", "one"}}), thousand = work_of({{"view", "one"}, {"file", "thousand"}});
@@ -62,9 +50,9 @@ TEST(ObjMaterials, ProgramsAreSetsOfFeaturesAndNotMaterials) {
 
 TEST(ObjMaterials, UnreferencedMapsAreNotLoaded) {
     const int64_t light = 32 * 32 * 4 * 16, level = 4 * 512 * 512 / 3;
-    EXPECT_EQ(work_of({{"view", "one"}, {"maps", "off"}}).bytes, light);
+    EXPECT_EQ(work_of({{"view", "one"}, {"maps", "off"}}).texture_bytes, light);
     // The maps of grass and highlights are 512 wide, the map of bricks 1024. The mask has one channel.
-    const int64_t fence = work_of({{"view", "one"}, {"file", "fence"}}).bytes - light;
+    const int64_t fence = work_of({{"view", "one"}, {"file", "fence"}}).texture_bytes - light;
     EXPECT_NEAR(double(fence), double(level) * (3 + 4 + 4 * 3 + 1), 100);
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/gl/counters.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -64,11 +63,7 @@ TEST(ObjectSpace, BakedLightIgnoresTheLampAndAWorldSpaceMapFollowsIt) {
 TEST(ObjectSpace, LightIsBakedOnce) {
     Shot shot = shot_of("04", {{"view", "baked"}});
     const auto lab = make_lab(find_lab("04"), shot);
-    const auto draws = [&] {
-        const int64_t before = counters().draw_calls;
-        render_shot(*lab, shot);
-        return counters().draw_calls - before;
-    };
+    const auto draws = [&] { return work_of(*lab, shot).draws; };
     const int64_t first = draws();
     set_knob(*lab, "light_yaw", "90");
     EXPECT_EQ(draws(), first - 1);

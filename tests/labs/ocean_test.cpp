@@ -3,7 +3,6 @@
 #include <glm/gtc/constants.hpp>
 #include <numeric>
 
-#include "framework/core/gl/counters.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/mips.h"
 #include "framework/staff/reference/degrees.h"
@@ -17,10 +16,8 @@ namespace {
 using ocean::make_maps, ocean::map_texels, ocean::slope_moments, ocean::tile_metres, ocean::waves_of;
 
 /// Returns knobs for a flat sea at mip level 0. `more` overrides them.
-std::vector<Knob> near_sea(std::vector<Knob> more = {}) {
-    std::vector<Knob> knobs = {{"view", "one"}, {"displace", "false"}, {"level", "0"}};
-    knobs.insert(knobs.end(), more.begin(), more.end());
-    return knobs;
+std::vector<Knob> near_sea(const std::vector<Knob>& more = {}) {
+    return with({{"view", "one"}, {"displace", "false"}, {"level", "0"}}, more);
 }
 
 Shot from_above(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {64, 64}) {
@@ -57,49 +54,6 @@ TEST(Ocean, RepeatsAfter400MetresAnd128SecondsAndNotAfterOneTile) {
     EXPECT_GT(change_after(100, 0), 0.1);
     EXPECT_GT(change_after(6.15, 0), 0.1);
     EXPECT_GT(change_after(0, 64), 0.1);
-}
-
-TEST(Ocean, MapsMatchTheirCosines) {
-    for (int map = 0; map < 2; ++map) {
-        const auto maps = make_maps(map);
-        double square = 0;
-        glm::dvec3 moments(0);
-        for (int y = 0; y < map_texels; ++y)
-            for (int x = 0; x < map_texels; ++x) {
-                square += std::pow(double(maps.waves.pixel(x, y)[2]), 2);
-                for (int c = 0; c < 3; ++c) moments[c] += double(maps.moments.pixel(x, y)[c]);
-                const glm::dvec2 uv((x + 0.5) / map_texels, 1 - (y + 0.5) / map_texels);
-                if ((x * 7 + y * 13) % 1009 != 0) continue;
-                glm::dvec3 exact(0);
-                for (const PlaneWave& wave : waves_of(map)) {
-                    const double angle = 2 * glm::pi<double>() * glm::dot(glm::dvec2(wave.k), uv) + wave.phase;
-                    const glm::dvec2 number = 2 * glm::pi<double>() / tile_metres * glm::dvec2(wave.k);
-                    exact += wave.amplitude * glm::dvec3(-number * std::sin(angle), std::cos(angle));
-                }
-                for (int c = 0; c < 3; ++c) EXPECT_NEAR(maps.waves.pixel(x, y)[c], exact[c], 1e-6);
-            }
-        const double count = double(map_texels) * map_texels;
-        EXPECT_NEAR(square / count, 1.0 / 16, 1e-6) << "four times the root is a metre";
-        // Different waves with whole numbers of periods are orthogonal. Half of the square of each one remains.
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(moments[c] / count, slope_moments(map)[c], 1e-6);
-    }
-}
-
-TEST(Ocean, TheNormalsOfTheMapsAreWithin03Degrees) {
-    for (const char* wind : {"6", "15"}) {
-        const ErrorSummary error = error_of("15", from_above(near_sea({{"wind", wind}}), "normal"));
-        EXPECT_LT(error.mean, 0.3) << wind;
-        if (wind == std::string("6")) {
-            EXPECT_LT(error.p99, 0.3);
-        }
-    }
-    EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "heights"}}), "normal")).mean, 0.1);
-    EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "analytic"}}), "normal")).mean, 0.002);
-}
-
-TEST(Ocean, AProbeAgreesWithItsExactValuesInAPictureThatIsHigherThanWide) {
-    const Shot shot = from_above(near_sea({{"normals", "analytic"}, {"waves", "first"}}), "normal", {32, 64});
-    EXPECT_LT(error_of("15", shot).mean, 0.002);  // as in a square
 }
 
 /// The error of a rule that combines two normals: mean error in degrees, and the steepness of its sea relative to the
@@ -189,30 +143,6 @@ TEST(Ocean, RepeatsBitForBitAfterItsPeriod) {
     EXPECT_EQ(at(0), at(-128 * 1e5)) << "whole tiles, backwards";
 }
 
-TEST(Ocean, IsFiniteForAnySunEyeAndHighlight) {
-    for (const std::vector<Knob>& knobs : std::vector<std::vector<Knob>>{{},
-                                                                         {{"shininess", "1"}},
-                                                                         {{"shininess", "4096"}},
-                                                                         {{"light_pitch", "0"}},
-                                                                         {{"light_pitch", "-5"}},
-                                                                         {{"light_yaw", "180"}},
-                                                                         {{"light_pitch", "90"}},
-                                                                         {{"wind", "0"}, {"amplitude_1", "4"}},
-                                                                         {{"amplitude_1", "0"}, {"amplitude_2", "0"}},
-                                                                         {{"far", "toksvig"}, {"tiles_1", "0.02"}}})
-        for (const double height : {0.0, 0.3, 5.0})
-            for (const char* probe : {"normal", "reflection", "fresnel", "sigma", "glitter"}) {
-                std::vector<Knob> all = {{"view", "one"}};
-                all.insert(all.end(), knobs.begin(), knobs.end());
-                Shot shot = shot_of("15", all, probe, {16, 16});
-                shot.camera = {.yaw = 180, .pitch = 0, .distance = 5, .target = {0, height, 0}};
-                // Throws if a pixel is not finite.
-                const auto lab = make_lab(find_lab("15"), shot);
-                const Image image = draw_shot(*lab, shot);
-                for (const float value : image.values) ASSERT_FALSE(std::isnan(value)) << probe << " at " << height;
-            }
-}
-
 TEST(Ocean, AnEyeUnderWaterHasExactValuesWhereItsRaysLeaveTheWater) {
     Shot shot =
         shot_of("15", {{"view", "one"}, {"wind", "0"}, {"waves", "first"}, {"amplitude_1", "1.2"}}, "", {12, 12});
@@ -290,22 +220,10 @@ TEST(Ocean, DisplacedWavesKeepTheBudgetAndLeaveNoHole) {
     EXPECT_LT(error_of("15", shot).p99, 0.16);
 }
 
-int64_t triangles_of(const std::vector<Knob>& knobs) {
-    const Shot shot = shot_of("15", knobs, "", {64, 64});
-    const auto lab = make_lab(find_lab("15"), shot);
-    const Target target(TargetKind::picture, shot.size);
-    GLuint query = 0;
-    glGenQueries(1, &query);
-    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-    draw_lab(*lab, frame_of(shot, target));
-    glEndQuery(GL_PRIMITIVES_GENERATED);
-    GLuint count = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-    glDeleteQueries(1, &query);
-    return count;
-}
-
 TEST(Ocean, WavesBelowTheBudgetGetNoFinerGrid) {
+    const auto triangles_of = [](std::vector<Knob> knobs) {
+        return work_of("15", shot_of("15", std::move(knobs), "", {64, 64})).triangles;
+    };
     const int64_t flat = triangles_of({{"view", "one"}, {"displace", "false"}});
     EXPECT_LT(flat, 26 * 48 * 2 / 3) << "patches outside of the picture are culled";
     EXPECT_GT(triangles_of({{"view", "one"}, {"budget", "0.25"}}), 3 * flat);
@@ -314,12 +232,8 @@ TEST(Ocean, WavesBelowTheBudgetGetNoFinerGrid) {
 }
 
 TEST(Ocean, UnusedMapsAreNotLoaded) {
-    const auto bytes = [](const std::vector<Knob>& knobs) {
-        const Shot shot = shot_of("15", knobs, "", {32, 32});
-        const auto lab = make_lab(find_lab("15"), shot);
-        const int64_t before = counters().texture_bytes;
-        render_shot(*lab, shot);
-        return counters().texture_bytes - before;
+    const auto bytes = [](std::vector<Knob> knobs) {
+        return work_of("15", shot_of("15", std::move(knobs), "", {32, 32})).texture_bytes;
     };
     const int64_t all = bytes({{"view", "one"}});
     EXPECT_EQ(all, 2 * bytes({{"view", "one"}, {"amplitude_2", "0"}})) << "the second map";
@@ -327,45 +241,14 @@ TEST(Ocean, UnusedMapsAreNotLoaded) {
     EXPECT_LT(bytes({{"view", "one"}, {"far", "plain"}, {"displace", "false"}}), 0.12 * double(all)) << "heights";
 }
 
-Image picture_of(std::vector<Knob> knobs, glm::ivec2 size = {96, 64}) {
-    return drawn("15", shot_of("15", std::move(knobs), "", size));
-}
-
-TEST(Ocean, TheViewOfTheMapsShowsThem) {
-    const Image picture = picture_of({{"view", "maps"}}, {1024, 1024});
-    for (int map = 0; map < 2; ++map) {
-        const auto maps = make_maps(map);
-        for (const glm::ivec2 texel : {glm::ivec2(60, 70), {128, 128}, {200, 90}, {33, 240}}) {
-            // A tile of 512 pixels has a map of 460 in its middle. The pixel's centre is near that of the texel.
-            const glm::dvec2 place = (glm::dvec2(texel) + 0.5) * (460.0 / map_texels) + 26.0;
-            const int x = 512 * map + int(place.x);
-            const float* const height = picture.pixel(x, int(place.y));
-            const float* const normal = picture.pixel(x, 512 + int(place.y));
-            EXPECT_NEAR(height[0], 0.5 + 0.6 * double(maps.waves.pixel(texel.x, texel.y)[2]), 0.02);
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(normal[c], maps.normals.pixel(texel.x, texel.y)[c], 0.03);
-        }
-    }
-}
-
 TEST(Ocean, TheSunOfACubeMapStandsStill) {
     const auto corner = [](const char* sky, const char* yaw) {
-        const Image picture = picture_of({{"view", "one"}, {"sky", sky}, {"light_yaw", yaw}});
+        const Image picture =
+            drawn("15", shot_of("15", {{"view", "one"}, {"sky", sky}, {"light_yaw", yaw}}, "", {96, 64}));
         return std::vector<float>(picture.pixel(0, 0), picture.pixel(0, 0) + 3);
     };
     EXPECT_EQ(corner("cube", "0"), corner("cube", "40"));
     EXPECT_NE(corner("formula", "0"), corner("formula", "40"));
-}
-
-TEST(Ocean, ABluePaintedSeaIsBluerThanWater) {
-    const auto blue = [](const char* material) {  // from above, where water mirrors little
-        Shot shot = shot_of("15", {{"view", "one"}, {"material", material}, {"light_pitch", "40"}}, "", {64, 64});
-        shot.camera = {.yaw = 180, .pitch = 70, .distance = 30};
-        const Image picture = drawn("15", shot);
-        double sum = 0;
-        for (size_t i = 0; i < picture.values.size(); i += 3) sum += double(picture.values[i + 2] - picture.values[i]);
-        return sum / double(picture.pixel_count());
-    };
-    EXPECT_GT(blue("blue"), blue("water") + 0.1);
 }
 
 TEST(Ocean, HeightsOfAFileGiveTheWavesOfTheFormulaTheyCameFrom) {

@@ -44,11 +44,13 @@ TEST(CourseOverlay, EditsReplaceATextThatOccursExactlyOnce) {
 
 TEST(Handout, IsRefusedWhenALabIncludesAStaffFile) {
     const char* const surface = "shaders/06_tangent_space/surface.frag";
-    const grade::CourseOverlay overlay(
-        grade::edited({{surface, "#include \"common/light.glsl\"", "#include \"staff/normal_map.glsl\""}}));
+    grade::CourseFiles files =
+        grade::edited({{surface, "#include \"common/light.glsl\"", "#include \"common/staff/x.glsl\""}});
+    files["shaders/common/staff/x.glsl"] = "\n";
+    const grade::CourseOverlay overlay(files);
     const TemporaryFolder folder;
     const std::string message = message_of([&] { handout::write_handout(folder.path() / "handout"); });
-    EXPECT_TRUE(contains(message, "includes shaders/staff/normal_map.glsl, which students do not get")) << message;
+    EXPECT_TRUE(contains(message, "includes shaders/common/staff/x.glsl, which students do not get")) << message;
 }
 
 TEST(Handout, IsRefusedWhenALabIncludesAShaderOfAnother) {

@@ -5,23 +5,13 @@
 
 #include <cmath>
 #include <map>
-#include <random>
+
+#include "tests/labs/shots.h"
 
 namespace relief {
 namespace {
 
 constexpr std::array mappings = {SphereMapping::equal_angle, SphereMapping::gnomonic, SphereMapping::lat_long};
-
-struct Dice {
-    std::mt19937 random{9};
-    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
-    glm::dvec3 direction() {
-        while (true) {
-            const glm::dvec3 at(between(-1, 1), between(-1, 1), between(-1, 1));
-            if (const double length = glm::length(at); length > 0.1 && length < 1) return at / length;
-        }
-    }
-};
 
 /// Waves of three sizes, between 0 and 0.12.
 double wavy(const glm::dvec3& r) {
@@ -32,7 +22,7 @@ double wavy(const glm::dvec3& r) {
 }
 
 TEST(SpherePatches, BoundsEncloseTheGround) {
-    Dice dice;
+    Dice dice(9);
     for (const SphereMapping mapping : mappings) {
         const PatchedSphere sphere(mapping, 16, wavy);
         for (int i = 0; i < 2000; ++i) {
@@ -84,7 +74,7 @@ double area_of(const Cover& cover) {
 }
 
 TEST(SpherePatches, CoverTheSphereOnceAndDrawnNeighboursDifferByOneLevel) {
-    Dice dice;
+    Dice dice(9);
     for (const SphereMapping mapping : mappings) {
         const PatchedSphere sphere(mapping, 16, wavy);
         int steps = 0;
@@ -119,7 +109,7 @@ TEST(SpherePatches, CoverTheSphereOnceAndDrawnNeighboursDifferByOneLevel) {
 }
 
 TEST(SpherePatches, KeepTheLimitAndSplitTheNearestFirst) {
-    Dice dice;
+    Dice dice(9);
     const PatchedSphere sphere(SphereMapping::equal_angle, 16, wavy);
     const auto everywhere = [](const SpherePatch& id) { return PatchNeed{Leaf::drawn, id.level < 5 ? INFINITY : 0}; };
     EXPECT_EQ(cover_sphere(SphereMapping::equal_angle, 6144, everywhere).leaves.size(), 6u << 10);

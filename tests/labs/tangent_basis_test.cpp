@@ -1,7 +1,6 @@
 // Lab 05: which method comes nearest to dP/du. Hidden parts cost no work.
 #include <cmath>
 
-#include "framework/core/gl/counters.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/lab/words.h"
 #include "framework/library/maps/visualize.h"
@@ -118,17 +117,10 @@ TEST(TangentBasis, AnAveragedBIsThatOfTheMeshAfterAViewThatNeedsNone) {
 }
 
 TEST(TangentBasis, DisabledLinesCostNoDrawAndNoProgram) {
-    const auto cost = [](const char* lines) {
-        const Shot shot = shot_of("05", {{"lines", lines}});
-        const auto lab = make_lab(find_lab("05"), shot);
-        const int64_t draws = counters().draw_calls, programs = counters().live[size_t(GlKind::program)];
-        render_shot(*lab, shot);
-        return std::pair(counters().draw_calls - draws, counters().live[size_t(GlKind::program)] - programs);
-    };
-    const auto [draws_off, programs_off] = cost("off");
-    const auto [draws_on, programs_on] = cost("on");
-    EXPECT_EQ(draws_on - draws_off, 5) << "once for each method that has tangents at its vertices";
-    EXPECT_EQ(programs_on - programs_off, 1);
+    const Work off = work_of("05", shot_of("05", {{"lines", "off"}})),
+               on = work_of("05", shot_of("05", {{"lines", "on"}}));
+    EXPECT_EQ(on.draws - off.draws, 5) << "once for each method that has tangents at its vertices";
+    EXPECT_EQ(on.links - off.links, 1);
 }
 
 TEST(TangentBasis, CollapsedUvStillGiveAFrame) {

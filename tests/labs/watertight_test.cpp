@@ -1,9 +1,6 @@
 // Closed displaced surfaces stay closed for all levels, spacings, depths and views.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <random>
-
 #include "tests/labs/feedback.h"
 #include "tests/labs/shots.h"
 
@@ -11,23 +8,6 @@ namespace relief {
 namespace {
 
 constexpr unsigned seed = 20;
-
-/// `./relief test --all` asks for more views.
-int view_count() {
-    const char* const wanted = std::getenv("RELIEF_RANDOM_VIEWS");
-    return wanted ? std::max(1, std::atoi(wanted)) : 200;
-}
-
-struct Dice {
-    std::mt19937 random{seed};
-    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
-    /// Returns a random number between `low` and `high`, evenly distributed in its logarithm.
-    double octaves(double low, double high) { return std::exp2(between(std::log2(low), std::log2(high))); }
-    template <size_t count>
-    const char* one_of(const char* const (&names)[count]) {
-        return names[random() % count];
-    }
-};
 
 /// A closed shape in one of the two labs. Settings that need a new program are fixed, and the others are random for
 /// each view.
@@ -92,14 +72,6 @@ Orbit random_view(Dice& dice, bool is_inside) {
     return orbit;
 }
 
-/// Counts the pixels at which rays do not enter the surface as often as they leave it. From inside, they leave it once
-/// more.
-size_t holes(const Image& winding, bool is_inside) {
-    size_t count = 0;
-    for (size_t i = 0; i < winding.values.size(); i += 4) count += winding.values[i] != (is_inside ? -1.0f : 0.0f);
-    return count;
-}
-
 struct Holes {
     size_t pixels = 0, edges = 0;
     int views = 0, views_with_holes = 0, captures_with_holes = 0;
@@ -107,7 +79,7 @@ struct Holes {
 
 /// Looks for holes in random scenes, ten views each. Fails the test if a surface is open, unless `with_cracks` is set.
 Holes look_for_holes(int views, bool with_cracks) {
-    Dice dice;
+    Dice dice(seed);
     Holes all;
     const Target target(TargetKind::probe, {96, 96});
     while (all.views < views) {
@@ -141,7 +113,7 @@ Holes look_for_holes(int views, bool with_cracks) {
                 EXPECT_TRUE(with_cracks || open == 0) << open << " open edges: " << here();
             }
             draw_lab(*lab, frame_of(shot, target));
-            const size_t open = holes(target.read(), is_inside);
+            const size_t open = holes_of(target.read(), is_inside);
             all.pixels += open, all.views_with_holes += open > 0;
             EXPECT_TRUE(with_cracks || open == 0) << open << " pixels: " << here();
             if (testing::Test::HasFailure()) return all;

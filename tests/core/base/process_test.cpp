@@ -94,26 +94,5 @@ TEST(Processes, AChildEndsWithItsOwner) {
     EXPECT_FALSE(read_all(pipe.read, rest.data(), rest.size()));
 }
 
-TEST(Processes, NoBrowserIsOpenedWithoutADisplay) {
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(name);
-    EXPECT_FALSE(open_on_desktop("page.html"));
-    setenv("DISPLAY", ":0", 1);
-    const TemporaryFolder empty;
-    const std::string path = std::getenv("PATH");
-    setenv("PATH", empty.path().c_str(), 1);
-    EXPECT_FALSE(open_on_desktop("page.html")) << "there is no xdg-open";
-    const auto opened = empty.path() / "opened";
-    std::ofstream(empty.path() / "xdg-open") << "#!/bin/sh\necho \"$1\" > '" << opened.string() << "'\n";
-    std::filesystem::permissions(empty.path() / "xdg-open", std::filesystem::perms::owner_all);
-    EXPECT_TRUE(open_on_desktop("/page.html"));
-    const auto text = [&] {
-        std::ifstream file(opened);
-        return std::string(std::istreambuf_iterator<char>(file), {});
-    };
-    for (int i = 0; i < 1000 && text().empty(); ++i) usleep(10'000);
-    EXPECT_EQ(text(), "/page.html\n");
-    setenv("PATH", path.c_str(), 1), unsetenv("DISPLAY");
-}
-
 }  // namespace
 }  // namespace relief

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -43,14 +44,14 @@ TEST(Numbers, MustBeFiniteWithoutTrailingText) {
         EXPECT_EQ(parse_number(text), std::nullopt) << "'" << text << "'";
 }
 
-/// Whether the standard library reads this type, as GCC's does.
-template <class Value>
+/// Whether the standard library reads a double, as GCC's does.
+template <class Value = double>
 constexpr bool library_reads = requires(Value value) {
     std::from_chars("", "", value);
 };
 
 /// Returns the number as std::from_chars reads it.
-template <class Value>
+template <class Value = double>
 std::optional<Value> from_chars(std::string_view text) {
     if constexpr (library_reads<Value>) {
         Value value = 0;
@@ -66,55 +67,32 @@ bool is_same(std::optional<double> a, std::optional<double> b) {
 }
 
 /// Returns numbers of every exponent with random mantissas.
-template <class Value, class Bits>
-std::vector<Value> of_every_size(int count) {
+std::vector<double> of_every_size(int count) {
     std::mt19937_64 random(1);
-    std::vector<Value> values;
-    while (int(values.size()) < count) {
-        const Bits bits = Bits(random());
-        Value value;
-        std::memcpy(&value, &bits, sizeof value);
-        if (std::isfinite(value)) values.push_back(value);
-    }
-    for (const Value value : {std::numeric_limits<Value>::denorm_min(), std::numeric_limits<Value>::min(),
-                              std::numeric_limits<Value>::max(), Value(0), Value(1)})
+    std::vector<double> values;
+    while (int(values.size()) < count)
+        if (const auto value = std::bit_cast<double>(random()); std::isfinite(value)) values.push_back(value);
+    using Limits = std::numeric_limits<double>;
+    for (const double value : {Limits::denorm_min(), Limits::min(), Limits::max(), 0.0, 1.0})
         values.push_back(value), values.push_back(-value);
     return values;
 }
 
 TEST(Numbers, AreParsedToTheSameBitsAsByTheStandardLibrary) {
-    if (!library_reads<double>) GTEST_SKIP() << "this standard library has no function to compare with";
-    for (const double value : of_every_size<double, uint64_t>(20'000))
+    if (!library_reads<>) GTEST_SKIP() << "this standard library has no function to compare with";
+    for (const double value : of_every_size(20'000))
         for (const int digits : {1, 3, 9, 15, 17, 40}) {
             const std::string text = fmt::format("{:.{}e}", value, digits - 1);
-            ASSERT_TRUE(is_same(parse_number(text), from_chars<double>(text))) << text;
+            ASSERT_TRUE(is_same(parse_number(text), from_chars(text))) << text;
         }
 }
 
 TEST(Numbers, AreAcceptedAndRejectedAsByTheStandardLibrary) {
-    if (!library_reads<double>) GTEST_SKIP() << "this standard library has no function to compare with";
-    std::vector<std::string> texts = {"1e-400",
-                                      "-1e-400",
-                                      "0e-999",
-                                      "0e9999",
-                                      "2.4e-324",
-                                      "2.5e-324",
-                                      "4e-324",
-                                      "1e309",
-                                      "-0",
-                                      "-.0e-5",
-                                      "infinity",
-                                      "nan(1)",
-                                      "1e00005",
-                                      "1e-",
-                                      "0x1p3",
-                                      "1.5f",
-                                      "1e5.0",
-                                      "1 e5",
-                                      "1.7976931348623158e308",
-                                      "\t1",
-                                      "1\n",
-                                      "1.7976931348623159e308"};
+    if (!library_reads<>) GTEST_SKIP() << "this standard library has no function to compare with";
+    std::vector<std::string> texts = split(
+        "1e-400;-1e-400;0e-999;0e9999;2.4e-324;2.5e-324;4e-324;1e309;-0;-.0e-5;infinity;nan(1);1e00005;1e-;"
+        "0x1p3;1.5f;1e5.0;1 e5;1.7976931348623158e308;\t1;1\n;1.7976931348623159e308",
+        ';');
     texts.emplace_back("1\0", 2);
     // Every kind of character that has a meaning in some notation, in random order.
     std::mt19937 random(1);
@@ -125,31 +103,11 @@ TEST(Numbers, AreAcceptedAndRejectedAsByTheStandardLibrary) {
     }
     int numbers = 0;
     for (const std::string& text : texts) {
-        ASSERT_TRUE(is_same(parse_number(text), from_chars<double>(text))) << "'" << text << "'";
+        ASSERT_TRUE(is_same(parse_number(text), from_chars(text))) << "'" << text << "'";
         numbers += parse_number(text).has_value();
     }
     EXPECT_GT(numbers, 1000);
     EXPECT_LT(numbers, int(texts.size()) - 1000);
-}
-
-TEST(Numbers, HaveTheFewestDigitsThatAreNearEnough) {
-    if (!library_reads<float>) GTEST_SKIP() << "this standard library has no function to compare with";
-    EXPECT_EQ(shortest_near(0.3333f, 0.01), "0.33");
-    EXPECT_EQ(shortest_near(0.1f, 0), "0.1");
-    EXPECT_EQ(shortest_near(16777216, 0), "16777216");
-    for (const float value : of_every_size<float, uint32_t>(20'000))
-        for (const double share : {0.0, 1e-5, 0.01, 2.0}) {
-            const double allowed = share * std::abs(double(value));
-            std::string expected;
-            for (int digits = 1;; ++digits) {
-                char text[64];
-                const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-                expected.assign(text, end);
-                const double read = from_chars<float>(expected).value_or(0);
-                if (digits == 9 || std::abs(read - value) <= allowed) break;
-            }
-            ASSERT_EQ(shortest_near(value, allowed), expected);
-        }
 }
 
 TEST(Backticks, AreDroppedWithOrWithoutAPartner) {

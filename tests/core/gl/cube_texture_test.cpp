@@ -7,41 +7,20 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/gl/counters.h"
-#include "framework/core/gl/program.h"
-#include "framework/core/gl/target.h"
+#include "tests/core/gl/fragment_shader.h"
 
 namespace relief {
 namespace {
 
-ShaderSource cube_source(const char* stage, const char* text) {
-    ShaderSource made;
-    made.stage = stage, made.text = text;
-    made.names = {"s_sky", "u_direction"};
-    return made;
-}
-
 /// Returns the shader's sample in a direction. The fourth component is the level.
 glm::vec3 sampled(const CubeTexture& texture, const glm::vec4& direction) {
-    const Program program(
-        {cube_source("a.vert",
-                     "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
-                     "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n"),
-         cube_source("a.frag",
-                     "#version 410 core\nuniform samplerCube s_sky;\nuniform vec4 u_direction;\n"
-                     "out vec4 o_color;\nvoid main() { o_color = textureLod(s_sky, u_direction.xyz, "
-                     "u_direction.w); }\n")});
-    const Target target(TargetKind::probe, {1, 1});
-    const VertexArrayName layout;
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    glViewport(0, 0, 1, 1);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program);
-    program.set("s_sky", 2, texture);
-    program.set("u_direction", direction);
-    glBindVertexArray(layout);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    const Image image = target.read();
-    return {image.values[0], image.values[1], image.values[2]};
+    const char* const text =
+        "uniform samplerCube s_sky;\nuniform vec4 u_direction;\nout vec4 o_color;\n"
+        "void main() { o_color = textureLod(s_sky, u_direction.xyz, u_direction.w); }\n";
+    return draw_fragment(text, [&](const Program& program) {
+        program.set("s_sky", 2, texture);
+        program.set("u_direction", direction);
+    });
 }
 
 CubeTexture directions(int side) {

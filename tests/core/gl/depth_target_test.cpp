@@ -4,42 +4,23 @@
 #include <gtest/gtest.h>
 
 #include "framework/core/gl/counters.h"
-#include "framework/core/gl/program.h"
-#include "framework/core/gl/target.h"
+#include "tests/core/gl/fragment_shader.h"
 
 namespace relief {
 namespace {
 
-ShaderSource depth_source(const char* stage, const char* text) {
-    ShaderSource made;
-    made.stage = stage, made.text = text;
-    made.names = {"s_depth", "u_place"};
-    return made;
-}
-
-constexpr const char* whole =
-    "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, "
-    "0.0, 1.0); }\n";
-
 /// Returns one pixel of a shader with a depth comparison.
 float compared(const DepthTarget& depth, const glm::vec3& place) {
-    const Program program(
-        {depth_source("a.vert", whole),
-         depth_source("a.frag",
-                      "#version 410 core\nuniform sampler2DShadow s_depth;\nuniform vec3 u_place;\n"
-                      "out vec4 o_color;\nvoid main() { o_color = vec4(texture(s_depth, u_place)); }\n")});
-    const Target target(TargetKind::probe, {1, 1});
-    const VertexArrayName layout;
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    glViewport(0, 0, 1, 1);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program);
-    depth.bind(1);
-    program.set("s_depth", 1);
-    program.set("u_place", place);
-    glBindVertexArray(layout);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    return target.read().values[0];
+    const char* const text =
+        "uniform sampler2DShadow s_depth;\nuniform vec3 u_place;\nout vec4 o_color;\n"
+        "void main() { o_color = vec4(texture(s_depth, u_place)); }\n";
+    return draw_fragment(text,
+                         [&](const Program& program) {
+                             depth.bind(1);
+                             program.set("s_depth", 1);
+                             program.set("u_place", place);
+                         })
+        .x;
 }
 
 /// Sets the left half to 0.25 and the right half to 0.75.
@@ -77,8 +58,7 @@ TEST(DepthTarget, StoresTheDrawnDepthWithRowZeroAtTheTop) {
     const DepthTarget depth({2, 2});
     depth.begin();
     glClear(GL_DEPTH_BUFFER_BIT);
-    const Program program(
-        {depth_source("a.vert", whole), depth_source("a.frag", "#version 410 core\nvoid main() {}\n")});
+    const Program program = window_program("void main() {}\n");
     const VertexArrayName layout;
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_SCISSOR_TEST);

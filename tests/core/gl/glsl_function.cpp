@@ -11,6 +11,13 @@ namespace relief {
 namespace {
 
 constexpr const char* attribute_names = "abcdefgh";
+constexpr const char* padding =
+    "vec4 padded(vec4 v) { return v; }\n"
+    "vec4 padded(vec3 v) { return vec4(v, 0.0); }\n"
+    "vec4 padded(vec2 v) { return vec4(v, 0.0, 0.0); }\n"
+    "vec4 padded(float v) { return vec4(v, 0.0, 0.0, 0.0); }\n"
+    "vec4 padded(int v) { return padded(float(v)); }\n"
+    "vec4 padded(bool v) { return padded(float(v)); }\n";
 
 std::string with_mistake(std::string text, const PlantedMistake& mistake) {
     if (mistake.find.empty()) return text;
@@ -25,7 +32,7 @@ std::string stage_text(const std::string& file, const std::string& expression, c
                        " s_other;\nout vec4 o_result;\n";
     for (int i = 0; i < 8; ++i)
         text += "layout(location = " + std::to_string(i) + ") in vec4 " + attribute_names[i] + ";\n";
-    return text + "void main() { o_result = " + expression + "; }\n";
+    return text + padding + "void main() { o_result = padded(" + expression + "); }\n";
 }
 
 ProgramName link(const std::string& text, const std::vector<Place>& lines) {

@@ -39,29 +39,6 @@ TEST_F(ProgramTest, ACompileErrorNamesTheSourceFileAndLine) {
     EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
 }
 
-TEST_F(ProgramTest, ACompileErrorInAnIncludedFileNamesThatFile) {
-    folder_.write("light.glsl", "\n\nfloat light() { return brightness; }\n");
-    const Error error = error_of(
-        good_vertex,
-        "#version 410 core\n#include \"light.glsl\"\nout vec4 o_color;\nvoid main() { o_color = vec4(light()); }\n");
-    EXPECT_EQ(error.place().file, folder_.path() / "light.glsl") << error.what() << "\n" << error.details();
-    EXPECT_EQ(error.place().line, 3);
-}
-
-TEST_F(ProgramTest, ALineAfterAnIncludeAndDefinesKeepsItsNumber) {
-    folder_.write("light.glsl", "float light() { return 1.0; }\n// more\n// lines\n");
-    folder_.write("a.vert", good_vertex);
-    folder_.write("a.frag",
-                  "#version 410 core\n#include \"light.glsl\"\nout vec4 o_color;\nvoid main() { o_color = x; }\n");
-    try {
-        const Program broken({folder_.path() / "a.vert", folder_.path() / "a.frag"}, {"ONE", "TWO 2"});
-        FAIL() << "it compiled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.place().file, folder_.path() / "a.frag");
-        EXPECT_EQ(error.place().line, 4) << error.what();
-    }
-}
-
 TEST_F(ProgramTest, MismatchedStagesAreALinkError) {
     const Error error =
         error_of("#version 410 core\nout vec2 v_uv;\nvoid main() { v_uv = vec2(0.0); gl_Position = vec4(0.0); }\n",
@@ -117,11 +94,6 @@ TEST(Programs, CompileEachPermutationOnceAndOnlyWhenAsked) {
     EXPECT_NE(&plain, &mapped);
     EXPECT_EQ(&mapped, &surface.with({"", "NORMAL_MAP"}));
     EXPECT_EQ(counters().links, before + 2);
-}
-
-TEST(Programs, AMissingFileIsAnErrorAtFirstUse) {
-    const Programs missing{"no/such.vert"};
-    EXPECT_THROW(missing.with(), Error);
 }
 
 }  // namespace

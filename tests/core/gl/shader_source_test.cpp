@@ -6,6 +6,7 @@
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -151,16 +152,15 @@ TEST_F(Shaders, AStageMustBeginWithItsVersion) {
     EXPECT_TRUE(contains(message_of([&] { load_shader(folder_.path() / "no.vert", {}); }), "no.vert: cannot read"));
 }
 
-TEST_F(Shaders, AByteOrderMarkAndASpacedIncludeWork) {
-    folder_.write("a.glsl", "float a;\n");
-    EXPECT_TRUE(contains(load("\xef\xbb\xbf#version 410 core\n#  include \"a.glsl\"\n").text, "float a;"));
-}
-
-TEST_F(Shaders, MayEndLinesInCrAlone) {
-    folder_.write("a.glsl", "// a comment\rfloat a;\r");
-    const ShaderSource source = load("#version 410 core\r#include \"a.glsl\"\rfloat b;\r");
-    EXPECT_TRUE(contains(source.text, "// a comment\nfloat a;\nfloat b;\n")) << source.text;
-    EXPECT_EQ(source.lines.back().line, 3);
+TEST_F(Shaders, MayHaveAByteOrderMarkSpacedIncludesAndTheLineEndsOfAnySystem) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        const auto ended = [&](const std::string& text) { return join(split(text, '\n'), end); };
+        folder_.write("a.glsl", ended("// a comment\nfloat a;\n"));
+        const ShaderSource source =
+            load(ended("\xef\xbb\xbf#version 410 core\n#  include \"a.glsl\" // why\n#include \"a.glsl\"\nfloat b;\n"));
+        EXPECT_TRUE(contains(source.text, "// a comment\nfloat a;\nfloat b;\n")) << source.text;
+        EXPECT_EQ(source.lines.back().line, 4);
+    }
 }
 
 TEST_F(Shaders, NameTheFileWhoseTextTheCompilerWouldBlameOnAnother) {
@@ -177,13 +177,6 @@ TEST_F(Shaders, NameTheFileWhoseTextTheCompilerWouldBlameOnAnother) {
             message_of([&] { load("#version 410 core\n#if 1\n#include \"a.glsl\"\n#endif\n/* */\n"); });
         EXPECT_TRUE(contains(message, "a.glsl" + line)) << message;
     }
-}
-
-TEST_F(Shaders, FilesFromWindowsWork) {
-    folder_.write("a.glsl", "float a;\r\n");
-    const ShaderSource source =
-        load("#version 410 core\r\n#include \"a.glsl\" // why\r\n#include \"a.glsl\"\r\nfloat b;\r\n");
-    EXPECT_EQ(source.lines.back().line, 4);
 }
 
 TEST_F(Shaders, KnowTheUniformsTheyName) {

@@ -7,37 +7,22 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/gl/counters.h"
-#include "framework/core/gl/program.h"
-#include "framework/core/gl/target.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
-#include "tests/support.h"
+#include "tests/core/gl/fragment_shader.h"
 
 namespace relief {
 namespace {
 
 /// Returns the shader's sample of the texture at (u, v) on a level.
 glm::vec4 sampled(const Texture& texture, float u, float v, float level = 0) {
-    TemporaryFolder folder;
-    folder.write("a.vert",
-                 "#version 410 core\nvoid main() {\n"
-                 " gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n");
-    folder.write("a.frag",
-                 "#version 410 core\nuniform sampler2D s_map;\nuniform vec3 u_place;\nout vec4 o_color;\n"
-                 "void main() { o_color = textureLod(s_map, u_place.xy, u_place.z); }\n");
-    const Program program({folder.path() / "a.vert", folder.path() / "a.frag"}, {});
-    const Target target(TargetKind::probe, {1, 1});
-    const VertexArrayName layout;
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    glViewport(0, 0, 1, 1);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(program);
-    program.set("s_map", 3, texture);
-    program.set("u_place", glm::vec3(u, v, level));
-    glBindVertexArray(layout);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    const Image image = target.read();
-    return {image.values[0], image.values[1], image.values[2], image.values[3]};
+    const char* const text =
+        "uniform sampler2D s_map;\nuniform vec3 u_place;\nout vec4 o_color;\n"
+        "void main() { o_color = textureLod(s_map, u_place.xy, u_place.z); }\n";
+    return draw_fragment(text, [&](const Program& program) {
+        program.set("s_map", 3, texture);
+        program.set("u_place", glm::vec3(u, v, level));
+    });
 }
 
 Image grey(std::vector<float> values, int width, int bits) {

@@ -103,9 +103,5 @@ TEST(Asset, ChangesWithEachOfItsBytes) {
     }
 }
 
-TEST(Asset, AMissingFileIsNamed) {
-    EXPECT_TRUE(contains(message_of([] { read_asset("none.png"); }), "assets/none.png"));
-}
-
 }  // namespace
 }  // namespace relief

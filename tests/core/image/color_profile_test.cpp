@@ -9,7 +9,7 @@
 #include "framework/core/image/file.h"
 #include "framework/library/maps/heights.h"
 #include "framework/library/maps/normals.h"
-#include "tests/core/image/png_chunk.h"
+#include "tests/core/image/image_bytes.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -48,12 +48,6 @@ std::string packed(const std::string& profile) {
     return "any name\0\0"s + bytes.substr(0, size);
 }
 
-/// Returns a PNG without chunks about colours.
-std::string bare_png(const Image& image) {
-    std::string png = encode_image(image, ImageFormat::png);
-    const size_t srgb = png.find("sRGB") - 4;
-    return png.erase(srgb, 13);
-}
 Image slope(int channels) {
     Image image(4, 4, channels, 8);
     for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = float(i % 16) / 255;

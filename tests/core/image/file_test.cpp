@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <cstring>
 #include <ctime>
 #include <limits>
 
@@ -11,7 +10,7 @@
 #include "framework/core/base/module.h"
 #include "framework/core/image/exr.h"
 #include "framework/core/image/openimageio.h"
-#include "tests/core/image/png_chunk.h"
+#include "tests/core/image/image_bytes.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -228,14 +227,6 @@ TEST_F(ImageFiles, ExrOfOtherProgramsIsReadAsOpenImageIoReadsIt) {
     EXPECT_FALSE(decode_plain_exr(tiles, own)) << "tiles of halves are left to OpenImageIO";
     EXPECT_EQ(read_image(sample_files / "tiles.exr").pixel(4, 18)[2], 5 / 8.0f + 18 / 4.0f - 2)
         << "as the file was made";
-}
-
-/// Returns an OpenEXR file with other windows, each four numbers: left, top, right, bottom.
-std::string with_windows(std::string exr, const std::array<int32_t, 4>& data, const std::array<int32_t, 4>& display) {
-    for (const auto& [name, window] :
-         {std::pair("dataWindow\0box2i\0\x10\0\0\0"s, data), {"displayWindow\0box2i\0\x10\0\0\0"s, display}})
-        std::memcpy(&exr[exr.find(name) + name.size()], window.data(), 16);
-    return exr;
 }
 
 TEST_F(ImageFiles, TheDisplayWindowOfAnExrIsThePicture) {

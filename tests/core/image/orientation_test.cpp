@@ -7,7 +7,7 @@
 #include <set>
 
 #include "framework/core/image/file.h"
-#include "tests/core/image/png_chunk.h"
+#include "tests/core/image/image_bytes.h"
 #include "tests/support.h"
 
 namespace relief {

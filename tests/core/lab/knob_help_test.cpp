@@ -54,7 +54,7 @@ TEST(KnobHelp, KnobsOfAPartGetItsConditionUnlessTheyHaveTheirOwn) {
 
 TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobHasNoneOfItsValues) {
     const auto knobs = [](const char* view, const KnobHelp& help) {
-        return std::vector<KnobText>{{"view", view, "all, map, one", "what is drawn"}, {"cut", "0", "0 to 1", help}};
+        return std::vector<KnobText>{{"view", view, "what is drawn", "", {}}, {"cut", "0", help, "", {}}};
     };
     const KnobHelp help = KnobHelp("the cut").only("view", {"map", "one"});
     EXPECT_TRUE(is_ignored("cut", knobs("all", help)));
@@ -65,9 +65,9 @@ TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobHasNoneOfItsValues) {
 
 TEST(KnobHelp, AKnobIsIgnoredWhileTheOtherKnobIsIgnored) {
     const auto knobs = [](const char* view, const char* count) {
-        return std::vector<KnobText>{{"view", view, "all, one", "what is drawn"},
-                                     {"count", count, "fixed, angle", KnobHelp("the rule").only("view", {"one"})},
-                                     {"least", "8", "1 to 9", KnobHelp("the least").only("count", {"angle"})}};
+        return std::vector<KnobText>{{"view", view, "what is drawn", "", {}},
+                                     {"count", count, KnobHelp("the rule").only("view", {"one"}), "", {}},
+                                     {"least", "8", KnobHelp("the least").only("count", {"angle"}), "", {}}};
     };
     EXPECT_FALSE(is_ignored("least", knobs("one", "angle")));
     EXPECT_TRUE(is_ignored("least", knobs("one", "fixed")));

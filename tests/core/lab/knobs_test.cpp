@@ -2,6 +2,8 @@
 #include "framework/core/lab/knobs.h"
 
 #include <array>
+#include <bit>
+#include <random>
 
 #include "framework/core/image/file.h"
 #include "framework/core/lab/lab.h"
@@ -54,7 +56,7 @@ TEST(Knobs, AreDescribedInOrderWithValueRangeAndHelp) {
     for (size_t i = 0; i < knobs.size(); ++i) {
         EXPECT_EQ(knobs[i].name, expected[i][0]);
         EXPECT_EQ(knobs[i].value, expected[i][1]);
-        EXPECT_EQ(knobs[i].range, expected[i][2]);
+        EXPECT_EQ(knobs[i].range(), expected[i][2]);
         EXPECT_EQ(knobs[i].help.line(), expected[i][3]);
     }
 }
@@ -73,6 +75,20 @@ TEST(Knobs, AreSetFromTextForEveryType) {
          {std::pair("on", true), {"0", false}, {"true", true}, {"false", false}, {"1", true}}) {
         set_knob(wall, "shadows", text);
         EXPECT_EQ(wall.shadows, on) << text;
+    }
+}
+
+TEST(Knobs, HaveTextsThatSetTheirExactValues) {
+    Wall wall;
+    std::mt19937 random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const auto value = std::bit_cast<float>(uint32_t(random()));
+        if (!(value >= -0.5f && value <= 2)) continue;
+        wall.scale = value;
+        const std::string text = describe_knobs(wall).front().value;
+        wall.scale = 0;
+        set_knob(wall, "scale", text);
+        ASSERT_EQ(std::bit_cast<uint32_t>(wall.scale), std::bit_cast<uint32_t>(value)) << text;
     }
 }
 
@@ -138,7 +154,7 @@ TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
     write_image(file, Image(1, 1, 1));
     write_image(wide, Image(2, 1, 1));
     Canvas canvas;
-    EXPECT_EQ(describe_knobs(canvas)[0].range, "bricks, stones");
+    EXPECT_EQ(describe_knobs(canvas)[0].range(), "bricks, stones");
     EXPECT_EQ(describe_knobs(canvas)[0].help.line(), "the height map, or a picture's file");
 
     set_knob(canvas, "map", file.string());

@@ -122,25 +122,16 @@ TEST(ExplainCommand, ReportsThatCppTasksAreNotTraced) {
 }
 
 TEST(ExplainCommand, RefusesWrongUseInOneLine) {
-    const struct {
-        std::vector<std::string> words;
-        const char* says;
-    } cases[] = {
-        {{"10", "--pixel", "5"}, "--pixel takes COLUMN,ROW, from the picture's upper left corner, not '5'"},
-        {{"10"}, "--pixel takes COLUMN,ROW"},
-        {{"10", "--pixel", "1280,0"},
-         "the picture is 1280 x 720 pixels: columns 0 to 1279, rows 0 to 719 from the top; there is no 1280,0"},
-        {{"10", "--pixel", "1,1", "--mistake", "towards-the-eyes"}, "did you mean 'towards-the-eye'"},
-        {{"10", "--pixel", "1,1", "--check", "eight layer"}, "did you mean 'eight layers'"},
-        {{"05", "--pixel", "1,1", "--mistake", "determinant-sign-lost"},
-         "is a mistake in C++: only shaders are explained"},
-    };
-    for (const auto& [words, says] : cases) {
-        const Result result = explain(words);
-        EXPECT_EQ(result.code, 2) << result.err;
-        EXPECT_TRUE(contains(result.err, says)) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    }
+    expect_refused(
+        explain,
+        {{{"10", "--pixel", "5"}, "--pixel takes COLUMN,ROW, from the picture's upper left corner, not '5'"},
+         {{"10"}, "--pixel takes COLUMN,ROW"},
+         {{"10", "--pixel", "1280,0"},
+          "the picture is 1280 x 720 pixels: columns 0 to 1279, rows 0 to 719 from the top; there is no 1280,0"},
+         {{"10", "--pixel", "1,1", "--mistake", "towards-the-eyes"}, "did you mean 'towards-the-eye'"},
+         {{"10", "--pixel", "1,1", "--check", "eight layer"}, "did you mean 'eight layers'"},
+         {{"05", "--pixel", "1,1", "--mistake", "determinant-sign-lost"},
+          "is a mistake in C++: only shaders are explained"}});
 }
 
 }  // namespace

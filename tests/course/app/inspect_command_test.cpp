@@ -20,14 +20,6 @@ protected:
         more.insert(more.begin(), {relief_program(), "inspect"});
         return run(more, {folder_.path(), {}});
     }
-    /// Expects one line on standard error with these words, and nothing on standard output.
-    void expect_refused(const std::vector<std::string>& arguments, int code, const std::string& words) const {
-        const Result result = inspect(arguments);
-        EXPECT_EQ(result.code, code) << result.err;
-        EXPECT_TRUE(contains(result.err, words)) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        EXPECT_EQ(result.out, "");
-    }
     void write(const char* name, const Image& image) const { write_image(folder_.path() / name, image); }
 };
 
@@ -104,16 +96,17 @@ TEST_F(InspectCommand, BadInputIsOneLine) {
     folder_.write("empty.png", "");
     const std::string whole = read_all(assets + "paving_normal.png");
     folder_.write("half.png", whole.substr(0, whole.size() / 2));
-    expect_refused({"text.png"}, 1, "text.png: ");
-    expect_refused({"empty.png"}, 1, "empty.png: ");
-    expect_refused({"half.png"}, 1, "half.png: damaged");
-    expect_refused({"missing.png"}, 1, "missing.png: cannot read: No such file");
-    expect_refused({assets + "paving_normal.png", "text.png"}, 1, "text.png: ");
-    expect_refused({assets + "paving_normal.png", "-o", "/proc/where.png"}, 1, "/proc/where.png");
-    expect_refused({assets + "paving_normal.png", "-o", "where.jpg"}, 2, "must end in .png");
-    expect_refused({}, 2, "MAP is required; --help shows the options");
-    expect_refused({""}, 2, "must not be empty");
-    expect_refused({"a.png", "b.png", "c.png"}, 2, "inspect takes MAP and one file of HEIGHTS");
+    expect_refused([&](const auto& words) { return inspect(words); },
+                   {{{"text.png"}, "text.png: ", 1},
+                    {{"empty.png"}, "empty.png: ", 1},
+                    {{"half.png"}, "half.png: damaged", 1},
+                    {{"missing.png"}, "missing.png: cannot read: No such file", 1},
+                    {{assets + "paving_normal.png", "text.png"}, "text.png: ", 1},
+                    {{assets + "paving_normal.png", "-o", "/proc/where.png"}, "/proc/where.png", 1},
+                    {{assets + "paving_normal.png", "-o", "where.jpg"}, "must end in .png"},
+                    {{}, "MAP is required; --help shows the options"},
+                    {{""}, "must not be empty"},
+                    {{"a.png", "b.png", "c.png"}, "inspect takes MAP and one file of HEIGHTS"}});
 }
 
 TEST_F(InspectCommand, ItsHelpDocumentsTheExitCodes) {

@@ -72,17 +72,16 @@ TEST_F(NewLab, ReportsThatItHasNoGoldenPictures) {
 }
 
 TEST_F(NewLab, RefusesTakenOrInvalidNamesAndNumbers) {
-    const std::pair<const char*, const char*> cases[] = {{"test_wall", "a lab of that name exists: 20_test_wall"},
-                                                         {"01_other", "number 01 is taken by 01_specular_highlights"},
-                                                         {"Wet Stone", "lower case with underscores"},
-                                                         {"../x", "lower case with underscores"},
-                                                         {"100_x", "lab numbers go from 01 to 99"},
-                                                         {"", "must not be empty"}};
-    for (const auto& [name, expected] : cases) {
-        const Result result = run({course_.program("relief"), "new-lab", name});
-        EXPECT_EQ(result.code, 2) << name;
-        EXPECT_TRUE(contains(result.err, expected)) << result.err;
-    }
+    const auto new_lab = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {course_.program("relief"), "new-lab"});
+        return run(words);
+    };
+    expect_refused(new_lab, {{{"test_wall"}, "a lab of that name exists: 20_test_wall"},
+                             {{"01_other"}, "number 01 is taken by 01_specular_highlights"},
+                             {{"Wet Stone"}, "lower case with underscores"},
+                             {{"../x"}, "lower case with underscores"},
+                             {{"100_x"}, "lab numbers go from 01 to 99"},
+                             {{""}, "must not be empty"}});
 }
 
 }  // namespace

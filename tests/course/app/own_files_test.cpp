@@ -61,15 +61,9 @@ protected:
 };
 
 /// Returns the share of pixels in which two pictures differ by more than `allowed`.
-double share_apart(const Image& a, const Image& b, float allowed) {
+double share_apart(const Image& a, const Image& b, double allowed) {
     EXPECT_TRUE(a.same_shape(b));
-    size_t apart = 0;
-    for (size_t i = 0; i < a.values.size(); i += size_t(a.channels)) {
-        bool is = false;
-        for (size_t c = 0; c < size_t(a.channels); ++c) is |= !(std::abs(a.values[i + c] - b.values[i + c]) <= allowed);
-        apart += is;
-    }
-    return double(apart) / double(a.pixel_count());
+    return double(difference(a, b, allowed).pixels_over) / double(a.pixel_count());
 }
 
 /// Returns the picture with its upper quarter black. Lab 05 adds the angle to a file's tangents to its title there.
@@ -130,16 +124,13 @@ TEST_F(OwnFiles, ACubeOfLab06HasTheBoundsAndTheNormalOfItsFace) {
 }
 
 TEST_F(OwnFiles, AModelHasNoExactValuesButWhereTheyFollowFromItBeingClosed) {
-    const struct {
-        const char *lab, *knob, *probe;
-    } without[] = {{"05", "shape", "tangent"}, {"06", "shape", "normal"}, {"13", "surface", "depth"}};
-    for (const auto& [lab, knob, probe] : without) {
-        const Result result =
-            shot(lab, {"view=one", fmt::format("{}=cube.obj", knob)}, {"--error", probe, "-o", "error.png"});
-        EXPECT_EQ(result.code, 2) << lab;
-        EXPECT_TRUE(contains(result.err, "there are no exact values for the probe")) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    }
+    const auto error = [&](const auto& words) {  // lab, knob, probe
+        return shot(words[0], {"view=one", words[1] + "=cube.obj"}, {"--error", words[2], "-o", "error.png"});
+    };
+    const char* const said = "there are no exact values for the probe";
+    expect_refused(
+        error,
+        {{{"05", "shape", "tangent"}, said}, {{"06", "shape", "normal"}, said}, {{"13", "surface", "depth"}, said}});
     const std::vector<std::string> closed = {"view=one", "surface=cube.obj", "depth=0.1"};
     const Result winding = shot("13", closed, {"--error", "winding", "-o", "error.png"});
     EXPECT_EQ(winding.code, 0) << winding.err;
@@ -156,18 +147,15 @@ TEST_F(OwnFiles, ABrokenModelIsRefusedWithOneLine) {
                                                         {"07", "fine"},    {"10", "surface"}, {"11", "surface"},
                                                         {"12", "surface"}, {"13", "surface"}, {"14", "surface"}};
     for (const auto& [lab, knob] : labs) {
-        const std::pair<const char*, const char*> files[] = {{"broken.obj", "broken.obj:2: "},
-                                                             {"point.obj", "point.obj: has no area"},
-                                                             {"missing.obj", "missing.obj: cannot read"},
-                                                             {"short.glb", "short.glb: damaged: "},
-                                                             {"map.glb", "map.glb: its normal map: neither PNG"}};
-        for (const auto& [file, words] : files) {
-            const Result result = shot(lab, {fmt::format("{}={}", knob, file)}, {"-o", "o.png"});
-            EXPECT_EQ(result.code, 1);
-            EXPECT_TRUE(contains(result.err, words)) << result.err;
-            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-            EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
-        }
+        const auto drawn = [&](const auto& file) {
+            return shot(lab, {fmt::format("{}={}", knob, file[0])}, {"-o", "o.png"});
+        };
+        expect_refused(drawn, {{{"broken.obj"}, "broken.obj:2: ", 1},
+                               {{"point.obj"}, "point.obj: has no area", 1},
+                               {{"missing.obj"}, "missing.obj: cannot read", 1},
+                               {{"short.glb"}, "short.glb: damaged: ", 1},
+                               {{"map.glb"}, "map.glb: its normal map: neither PNG", 1}});
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
         const Result misspelt = shot(lab, {fmt::format("{}=spher", knob)}, {});
         EXPECT_EQ(misspelt.code, 2);
         const bool has_sphere = std::set<std::string>{"05", "06", "13", "14"}.contains(lab);
@@ -388,10 +376,8 @@ TEST_F(OwnFiles, ColorsAreThoseOfAPictureAsSrgbOrAsLight) {
 
 TEST_F(OwnFiles, ABrokenPictureOfColorsIsRefusedWithOneLine) {
     folder_.write("text.png", "not a picture");
-    const Result result = shot("12", {"colors=text.png"}, {"-o", "o.png"});
-    EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.err, "text.png: neither PNG")) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expect_refused([&](const auto& words) { return shot("12", {"colors=text.png"}, words); },
+                   {{{"-o", "o.png"}, "text.png: neither PNG", 1}});
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
 }
 

@@ -118,10 +118,7 @@ TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
                                      "image.getAttribute('width') != image.naturalWidth).map(image => image.src)"),
                       json::array())
                 << page;
-            EXPECT_EQ(browser().faint_texts(), Names{}) << page;
-            browser().dark(true);
-            EXPECT_EQ(browser().faint_texts(), Names{}) << page << " in the dark";
-            browser().dark(false);
+            EXPECT_EQ(browser().faint_texts_in_both(), Names{}) << page;
             browser().width(360);
             EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << page;
             EXPECT_EQ(browser().eval(clipped_formulas), 0) << page << " on a phone";
@@ -535,11 +532,7 @@ TEST_F(MistakesPage, IsLegibleForEverybody) {
     for (const char* place : {"", "#lab-02", "#02-truncated"}) {
         open(place);
         for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
-        for (const bool dark : {false, true}) {
-            browser().dark(dark);
-            EXPECT_EQ(browser().faint_texts(), Names{}) << place << dark;
-        }
-        browser().dark(false);
+        EXPECT_EQ(browser().faint_texts_in_both(), Names{}) << place;
         browser().width(360);
         EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << place;
         browser().width(0);

@@ -52,23 +52,14 @@ TEST_F(SynctestCommand, NamesTheFramesOfLab07) {
 TEST_F(SynctestCommand, WrongUseAndOtherPicturesAreOneLine) {
     folder_.write("text.png", "not a picture");
     const std::string albedo = std::string(source_folder) + "/assets/bricks_albedo.png";
-    const struct {
-        std::vector<std::string> arguments;
-        int code;
-        const char* words;
-    } cases[] = {{{"synctest"}, 2, "synctest takes -o FOLDER or --judge PICTURE"},
-                 {{"synctest", "-o", "a", "--json"}, 2, "--json goes with --judge PICTURE"},
-                 {{"synctest", "-o", "a", "--judge", "b"}, 2, "synctest takes -o FOLDER or --judge PICTURE"},
-                 {{"synctest", "--judge", "text.png"}, 1, "text.png: "},
-                 {{"synctest", "--judge", "missing.png"}, 1, "missing.png: cannot read"},
-                 {{"synctest", "--judge", albedo}, 1, "bricks_albedo.png: shows no normals"},
-                 {{"synctest", "-o", "/proc/cube"}, 1, "/proc/cube"}};
-    for (const auto& [arguments, code, words] : cases) {
-        const Result result = relief(arguments);
-        EXPECT_EQ(result.code, code) << result.out;
-        EXPECT_TRUE(contains(result.err, words)) << result.err;
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    }
+    expect_refused([&](const auto& words) { return relief(words); },
+                   {{{"synctest"}, "synctest takes -o FOLDER or --judge PICTURE"},
+                    {{"synctest", "-o", "a", "--json"}, "--json goes with --judge PICTURE"},
+                    {{"synctest", "-o", "a", "--judge", "b"}, "synctest takes -o FOLDER or --judge PICTURE"},
+                    {{"synctest", "--judge", "text.png"}, "text.png: ", 1},
+                    {{"synctest", "--judge", "missing.png"}, "missing.png: cannot read", 1},
+                    {{"synctest", "--judge", albedo}, "bricks_albedo.png: shows no normals", 1},
+                    {{"synctest", "-o", "/proc/cube"}, "/proc/cube", 1}});
 }
 
 }  // namespace

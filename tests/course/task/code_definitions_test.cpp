@@ -28,14 +28,14 @@ TEST(CodeDefinitions, HaveKindsAndNames) {
         "o, v Real, f g, v h, v i");
 }
 
-TEST(CodeDefinitions, KnowTheirNamespacesAndConditions) {
+TEST(CodeDefinitions, KnowTheirConditionsInAndAfterNamespaces) {
     const auto list = definitions_of(
                           "namespace a::b { namespace { int f() { return 1; } } }\n"
                           "#ifdef X\n#if 0\nint dead() { return 1; }\n#endif\nint g() { return 1; }\n"
                           "#else\nint h() {\n#if Y\nreturn 2;\n#endif\nreturn 1; }\n#endif\nint i;\n")
                           .list;
     ASSERT_EQ(list.size(), 4u);
-    EXPECT_EQ(list[0].scopes, (std::vector<std::string>{"a", "b", ""}));
+    EXPECT_EQ(list[0].names, std::vector<std::string>{"f"});
     EXPECT_EQ(list[1].conditions, std::vector<std::string>{"#ifdef X"});
     EXPECT_EQ(list[2].conditions, std::vector<std::string>{"#ifdef X\n#else"});
     EXPECT_TRUE(list[3].conditions.empty());

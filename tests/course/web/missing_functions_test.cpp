@@ -3,9 +3,8 @@
 
 #include <random>
 
-#include "framework/core/gl/program.h"
-#include "framework/core/gl/target.h"
 #include "framework/course/web/es_shader.h"
+#include "tests/core/gl/fragment_shader.h"
 #include "tests/core/gl/glsl_function.h"
 #include "tests/support.h"
 
@@ -65,11 +64,10 @@ TEST(MissingFunctions, BitsAreTheSame) {
     for (const std::string name : {"findMSB", "bitCount"}) {
         const TemporaryFolder folder;
         const std::string file = folder.write("bits.glsl", emulation(name)).string();
-        const std::string real = "vec4(" + name + "(int(a.x)), " + name + "(uint(int(a.x))), 0.0, 0.0)";
-        EXPECT_EQ(
-            differing(evaluate_glsl(file, real, inputs),
-                      evaluate_glsl(file, "vec4(emulated(int(a.x)), emulated(uint(int(a.x))), 0.0, 0.0)", inputs)),
-            0)
+        const std::string real = "vec2(" + name + "(int(a.x)), " + name + "(uint(int(a.x))))";
+        EXPECT_EQ(differing(evaluate_glsl(file, real, inputs),
+                            evaluate_glsl(file, "vec2(emulated(int(a.x)), emulated(uint(int(a.x))))", inputs)),
+                  0)
             << name;
     }
 }
@@ -79,9 +77,8 @@ TEST(MissingFunctions, AMultiplicationIsAddedInEveryWidth) {
     const std::string file = folder.write("fma.glsl", emulation("fma")).string();
     const std::vector<GlslInput> inputs = {{glm::vec4(1, 2, -3, 0.5f)}, {glm::vec4(7, -1, 0, 4)}};
     const auto all_widths = [](const std::string& name) {
-        return std::vector<std::string>{name + "(a, a.yzwx, a.wzyx)", "vec4(" + name + "(a.xyz, a.yzw, a.wzy), 0.0)",
-                                        "vec4(" + name + "(a.xy, a.yz, a.wz), 0.0, 0.0)",
-                                        "vec4(" + name + "(a.x, a.y, a.z))"};
+        return std::vector<std::string>{name + "(a, a.yzwx, a.wzyx)", name + "(a.xyz, a.yzw, a.wzy)",
+                                        name + "(a.xy, a.yz, a.wz)", name + "(a.x, a.y, a.z)"};
     };
     for (size_t i = 0; i < 4; ++i) {
         const std::string real = all_widths("fma")[i], ours = all_widths("emulated")[i];
@@ -92,34 +89,20 @@ TEST(MissingFunctions, AMultiplicationIsAddedInEveryWidth) {
 // The real function's formula is up to the driver. Mesa's llvmpipe drew the expected pictures.
 TEST(MissingFunctions, ALevelIsThatOfLlvmpipe) {
     const Texture map("numbers", [] { return Image(64, 64, 1); }, {.mips = true});
+    const std::string text = emulation("textureQueryLod") +
+                             "in vec2 v_clip;\n"
+                             "uniform float u_scale;\n"
+                             "uniform sampler2D s_map;\n"
+                             "out vec4 o_levels;\n"
+                             "void main() {\n"
+                             "    vec2 uv = u_scale * mat2(0.8, 0.6, -0.2, 0.3) * v_clip;\n"
+                             "    o_levels = vec4(textureQueryLod(s_map, uv), emulated(s_map, uv));\n"
+                             "}\n";
     for (const float scale : {0.5f, 1.0f, 4.0f, 13.0f}) {
-        ShaderSource vertex{.stage = "level.vert", .text = "", .lines = {}, .names = {"s_map", "u_scale"}};
-        vertex.text =
-            "#version 410 core\n"
-            "out vec2 v_uv;\n"
-            "uniform float u_scale;\n"
-            "void main() {\n"
-            "    vec2 at = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
-            "    v_uv = u_scale * mat2(0.8, 0.6, -0.2, 0.3) * at;\n"
-            "    gl_Position = vec4(at, 0.0, 1.0);\n"
-            "}\n";
-        ShaderSource fragment{.stage = "level.frag", .text = "", .lines = {}, .names = {"s_map", "u_scale"}};
-        fragment.text = "#version 410 core\n" + emulation("textureQueryLod") +
-                        "in vec2 v_uv;\n"
-                        "uniform sampler2D s_map;\n"
-                        "out vec4 o_levels;\n"
-                        "void main() { o_levels = vec4(textureQueryLod(s_map, v_uv), emulated(s_map, v_uv)); }\n";
-        const Program program(std::vector<ShaderSource>{vertex, fragment});
-        const VertexArrayName nothing;
-        const Target target(TargetKind::probe, {16, 16});
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-        glViewport(0, 0, 16, 16);
-        glUseProgram(program);
-        program.set("u_scale", scale);
-        program.set("s_map", 0, map);
-        glBindVertexArray(nothing);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        const Image levels = target.read();
+        const Image levels = draw_fragments(text, {16, 16}, [&](const Program& program) {
+            program.set("u_scale", scale);
+            program.set("s_map", 0, map);
+        });
         for (size_t i = 0; i < levels.pixel_count(); ++i) {
             const float* const at = &levels.values[i * 4];
             EXPECT_NEAR(at[2], std::max(at[3], 0.0f), 1e-6);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "framework/core/gl/object.h"
 #include "framework/core/gl/target.h"
@@ -127,6 +126,8 @@ std::vector<TessellationLevels> many_levels() {
     }
     for (const float inner : {-1.0f, 0.0f, float(NAN), 1.0f, 2.0f, 3.0f, 64.0f})
         for (const float outer : {1.0f, 1.5f, 2.0f, 7.0f}) all.push_back({{outer, outer, outer, outer}, {inner, 5}});
+    for (const float none : {0.0f, -1.0f, float(NAN), -INFINITY})  // drops the patch, if it has this edge
+        for (size_t edge = 0; edge < 4; ++edge) all.push_back({{2, 2, 2, 2}, {2, 2}}), all.back().outer[edge] = none;
     return all;
 }
 
@@ -151,59 +152,6 @@ TEST(Tessellator, GivesTheSameTrianglesAsOpenGLs) {
             }
             EXPECT_GT(triangles, 100000u);
         }
-}
-
-/// Returns the points on an edge by their distances from one of its ends, and, if `from_other_end`, from the other.
-std::set<float> places_on_edge(const Tessellation& made, int edge, bool from_other_end) {
-    std::set<float> places;
-    for (const glm::vec3& point : made.points) {
-        const int across = edge % 2, along = 1 - across;  // of a quad: u = 0, v = 0, u = 1 and v = 1
-        if (point[across] == (edge < 2 ? 0 : 1)) places.insert(from_other_end ? 1 - point[along] : point[along]);
-    }
-    return places;
-}
-
-TEST(Tessellator, AnEdgeIsSymmetricAndDependsOnlyOnItsOwnLevel) {
-    for (const TessellationSpacing spacing : spacings)
-        for (float level = 1; level <= 64; level += 0.37f) {
-            const Tessellation reference = tessellate(4, spacing, {{level, level, level, level}, {level, level}});
-            const std::set<float> places = places_on_edge(reference, 0, false);
-            EXPECT_GE(places.size(), size_t(level) + 1);
-            for (int edge = 0; edge < 4; ++edge) {
-                TessellationLevels others{{3, 17.5f, 64, 1.2f}, {9.9f, 2}};
-                others.outer[size_t(edge)] = level;
-                const Tessellation made = tessellate(4, spacing, others);
-                EXPECT_EQ(places_on_edge(made, edge, false), places) << level;
-                EXPECT_EQ(places_on_edge(made, edge, true), places) << level;
-            }
-        }
-}
-
-TEST(Tessellator, TrianglesCoverThePatchOnceCounterclockwise) {
-    for (const int corners : {3, 4})
-        for (const TessellationSpacing spacing : spacings)
-            for (const TessellationLevels& levels : many_levels()) {
-                const Tessellation made = tessellate(corners, spacing, levels);
-                double area = 0, smallest = 0;  // of parallelograms
-                for (const auto& [a, b, c] : made.triangles) {
-                    const glm::dvec2 p(made.points[a]), q(made.points[b]), r(made.points[c]);
-                    const double twice = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-                    area += twice, smallest = std::min(smallest, twice);
-                }
-                EXPECT_EQ(area, corners == 3 ? 1 : 2) << where(corners, size_t(spacing), levels);
-                // The tessellator's rounding to 2^-16 may turn a triangle that is as thin as that.
-                EXPECT_GE(smallest, -1.0 / 65536) << where(corners, size_t(spacing), levels);
-            }
-}
-
-TEST(Tessellator, APatchWithoutAPositiveOuterLevelIsDropped) {
-    for (const float level : {0.0f, -1.0f, float(NAN), -INFINITY})
-        for (const int corners : {3, 4})
-            for (int edge = 0; edge < 4; ++edge) {
-                TessellationLevels levels{{2, 2, 2, 2}, {2, 2}};
-                levels.outer[size_t(edge)] = level;
-                EXPECT_EQ(tessellate(corners, TessellationSpacing::equal, levels).triangles.empty(), edge < corners);
-            }
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ protected:
             std::vector<Lines>& blocks = all[lab.path().filename()];
             for (const pages::Block& block : pages::parse_markdown(read_file(lab.path() / "README.md")))
                 if (block.language == "formula") blocks.push_back(pages::formula_lines(block.text));
+            EXPECT_FALSE(blocks.empty()) << lab.path();
         }
         EXPECT_GE(all.size(), 18u);
         return all;

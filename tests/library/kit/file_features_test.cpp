@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "framework/core/image/file.h"
 #include "framework/library/kit/obj_scene.h"
 #include "framework/library/kit/own_mesh.h"
 #include "framework/library/maps/heights.h"
 #include "framework/library/maps/normals.h"
-#include "tests/core/image/png_chunk.h"
+#include "tests/core/image/image_bytes.h"
 #include "tests/features.h"
 
 namespace relief {
@@ -102,8 +101,8 @@ std::function<Lines()> bytes(const std::string& file) {
     };
 }
 /// Returns a float picture of 8 x 8 whose channels vary along x, y, x + y and x - y.
-Image varied(int channels, float scale = 1) {
-    Image image(8, 8, channels);
+Image varied(int channels, float scale = 1, int bits = 32) {
+    Image image(8, 8, channels, bits);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x)
             for (int c = 0; c < channels; ++c)
@@ -119,18 +118,10 @@ Image grey_with(const Image& alpha, float scale) {
     }
     return image;
 }
-std::string with_display(std::string exr, const std::array<int32_t, 4>& window) {
-    const std::string name = "displayWindow\0box2i\0\x10\0\0\0"s;
-    std::memcpy(&exr[exr.find(name) + name.size()], window.data(), 16);
-    return exr;
-}
 
 /// Returns a grey PNG with a gamma, in 1/100,000, or without chunks about colours.
 std::string with_gamma(uint32_t gamma) {
-    Image grey = varied(1);
-    grey.bits = 8;
-    std::string png = encode_image(grey, ImageFormat::png);
-    png.erase(png.find("sRGB") - 4, 13);
+    const std::string png = bare_png(varied(1, 1, 8));
     return gamma ? with_png_chunk(png, "gAMA", big_endian(gamma)) : png;
 }
 
@@ -169,9 +160,10 @@ TEST_F(FileFeatures, OfPicturesAreAsTheTableSays) {
            }}},
          {"WebP, TIFF", {bytes("RIFF\x1a\0\0\0WEBPVP8 "s), bytes("II*\0\x08\0\0\0"s), bytes("BM")}},
          {"EXIF orientation", {bytes(encode_image(varied(3), ImageFormat::png))}},  // orientation_test.cpp has all
-         {"OpenEXR whose data window is larger", {bytes(with_display(exr, {1, 1, 6, 6}))}},
+         {"OpenEXR whose data window is larger", {bytes(with_windows(exr, {0, 0, 7, 7}, {1, 1, 6, 6}))}},
          {"OpenEXR whose data window does not fill",
-          {bytes(with_display(exr, {0, 0, 8, 7})), bytes(with_display(exr, {-4, -4, 11, 11}))}},
+          {bytes(with_windows(exr, {0, 0, 7, 7}, {0, 0, 8, 7})),
+           bytes(with_windows(exr, {0, 0, 7, 7}, {-4, -4, 11, 11}))}},
          {"OpenEXR of several parts", {bytes(integers), bytes(parts)}},
          {"PPM, PGM and PFM whose header",
           {bytes("P5\r\n2 1\r\n255\r\nab"), bytes("P5\n2 1\n255 \nab"), bytes("Pf\n1 1\n2\nabcd")}},

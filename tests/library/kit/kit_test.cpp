@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -357,17 +356,6 @@ TEST_F(OwnMap, TakesItsHeightsFromAGreyPicture) {
     EXPECT_GT(lab_.material.version(), before) << "what is made of the heights has to be made anew";
 }
 
-TEST_F(OwnMap, ScalesFloatHeightsTo0To1) {
-    Image metres = grey_ramp(1, -20, 300);
-    metres.values[5] = std::numeric_limits<float>::quiet_NaN(), metres.values[7] = no_surface;
-    use(metres);
-    const auto& heights = lab_.material.heights().values;
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    EXPECT_FLOAT_EQ(*low, 0);
-    EXPECT_FLOAT_EQ(*high, 1);
-    EXPECT_TRUE(heights[4] < heights[5] && heights[5] < heights[6]) << "what is no number is filled from around it";
-}
-
 TEST_F(OwnMap, TakesHeightsAndNormalsFromANormalMapWithAFourthChannel) {
     Image map = grey_ramp(4, 0, 1);
     for (size_t i = 0; i < map.pixel_count(); ++i)
@@ -380,17 +368,6 @@ TEST_F(OwnMap, TakesHeightsAndNormalsFromANormalMapWithAFourthChannel) {
         EXPECT_FLOAT_EQ(normals.values[texel * 3], 0.8f) << "not those of the ramp";
         EXPECT_FLOAT_EQ(normals.values[texel * 3 + 2], 0.9f);
     }
-}
-
-TEST_F(OwnMap, RefusesColoursAndNormalsWithoutHeights) {
-    Image colours = grey_ramp(3, 0, 1);
-    for (size_t i = 0; i < colours.values.size(); i += 3) colours.values[i] = 1;
-    const std::string message = message_of<Error>([&] { use(colours); });
-    EXPECT_TRUE(
-        message.ends_with("map.exr: shows colours or normals: a height map is grey, or the fourth channel of a "
-                          "picture. `relief map heights` makes heights of a picture"))
-        << message;
-    EXPECT_EQ(lab_.material.map, ReliefMap::wall) << "the map before stays";
 }
 
 }  // namespace

@@ -49,21 +49,29 @@ TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
 
 TEST(OwnMesh, FarFromTheOriginIsTheSameModelAndItsPlacementIsThatOfTheFile) {
     const TemporaryFolder folder;
-    const auto model_at = [&](const char* name, const glm::dvec3& at) {
-        const std::string text = fmt::format(
-            "v {:.4f} {:.4f} {:.4f}\nv {:.4f} {:.4f} {:.4f}\nv {:.4f} {:.4f} {:.4f}\nvt 0 0\nvt 1 0\nvt 0 1\n"
-            "f 1/1 2/2 3/3\n",
-            at.x, at.y, at.z, at.x + 0.8125, at.y, at.z, at.x, at.y + 0.25, at.z + 0.5);
-        return folder.write(name, text);
-    };
-    OwnMesh near(1), far(1);
-    near.read(model_at("near.obj", {0, 0, 0})), far.read(model_at("far.obj", {5e6, 250.5, -4e6}));
-    for (size_t i = 0; i < 3; ++i) {
-        EXPECT_LT(glm::distance(near.mesh().vertices[i].position, far.mesh().vertices[i].position), 1e-6);
-        EXPECT_LT(glm::distance(near.mesh().vertices[i].normal, far.mesh().vertices[i].normal), 1e-6);
+    const Mesh sphere = make_sphere({.sides = 12, .rows = 6});
+    for (const bool is_gltf : {false, true}) {
+        const auto read_at = [&](OwnMesh& own, const glm::dvec3& at) {
+            GltfFile file = gltf_of(sphere);
+            file.json["nodes"][0]["translation"] = {at.x, at.y, at.z};
+            const std::string obj =
+                fmt::format("v {0} {1} {2}\nv {3} {1} {2}\nv {0} {4} {5}\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
+                            at.x, at.y, at.z, at.x + 0.8125, at.y + 0.25, at.z + 0.5);
+            own.read(is_gltf ? folder.write("m.glb", file.glb()) : folder.write("m.obj", obj));
+        };
+        const glm::dvec3 away(5412300.25, 250.5, -432100);
+        OwnMesh near(1), far(1);
+        read_at(near, {0, 0, 0}), read_at(far, away);
+        EXPECT_EQ(far.has_tangents(), is_gltf);
+        ASSERT_EQ(far.mesh().vertices.size(), is_gltf ? sphere.vertices.size() : 3);
+        for (size_t i = 0; i < far.mesh().vertices.size(); ++i) {
+            EXPECT_LT(glm::distance(near.mesh().vertices[i].position, far.mesh().vertices[i].position), 1e-6f);
+            EXPECT_LT(glm::distance(near.mesh().vertices[i].normal, far.mesh().vertices[i].normal), 1e-6f);
+        }
+        // A place in the lab has its place in the file.
+        EXPECT_LT(glm::distance(far.placement().middle - near.placement().middle, away), 1e-6);
+        EXPECT_TRUE(near.notes().empty());
     }
-    EXPECT_LT(glm::distance(far.placement().middle - near.placement().middle, {5e6, 250.5, -4e6}), 1e-6);
-    EXPECT_TRUE(near.notes().empty());
 }
 
 TEST(OwnMesh, NamesEachPartOfAFileThatItDoesNotRead) {
@@ -130,21 +138,6 @@ TEST(OwnMesh, KeepsItsUvAndSharedVerticesAndHasLeftHandedFramesWhereTheyAreMirro
             << i;
     // 2 x 1 metres become 2 / sqrt(5) of it, and three tiles cover half of the longer side.
     EXPECT_NEAR(metres_per_uv(mesh), 2 / std::sqrt(5.0) / 3, 1e-6);
-}
-
-TEST(OwnMesh, OfAGltfFileFarFromTheOriginIsThatAtTheOrigin) {
-    const TemporaryFolder folder;
-    const Mesh sphere = make_sphere({.sides = 12, .rows = 6});
-    GltfFile near = gltf_of(sphere), far = near;
-    far.json["nodes"][0]["translation"] = {432100.25, 250, 5412300};
-    OwnMesh at_origin(1), away(1);
-    at_origin.read(folder.write("near.glb", near.glb())), away.read(folder.write("far.glb", far.glb()));
-    EXPECT_TRUE(away.has_tangents());
-    ASSERT_EQ(away.mesh().vertices.size(), sphere.vertices.size());
-    for (size_t i = 0; i < sphere.vertices.size(); ++i)
-        EXPECT_LT(glm::distance(away.mesh().vertices[i].position, at_origin.mesh().vertices[i].position), 1e-6f);
-    // A place in the lab has its place in the file.
-    EXPECT_LT(glm::distance(away.placement().middle - at_origin.placement().middle, {432100.25, 250, 5412300}), 1e-6);
 }
 
 TEST(OwnMesh, HasAPartOfItsTrianglesForEachNormalMapAndTheNotesOfItsFile) {

@@ -78,7 +78,10 @@ TEST(Heights, AreInTheLastChannelBesideOneColourOrColoursOrNormals) {
 
 TEST(Heights, AreNotInColours) {
     const Image colors = picture(3, 8, [](int x, int y, int c) { return c == 0 ? slope(x, y) : 0.0f; });
-    EXPECT_TRUE(contains(message_of([&] { heights_in(colors); }), "shows colours or normals"));
+    EXPECT_EQ(
+        message_of([&] { heights_in(colors); }),
+        "shows colours or normals: a height map is grey, or the fourth channel of a picture. `relief map heights` "
+        "makes heights of a picture");
 }
 
 TEST(Heights, NanAndInfinityAreFilledFromTheHeightsAround) {

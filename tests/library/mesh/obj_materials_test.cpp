@@ -131,10 +131,6 @@ TEST(ObjMaterials, MapNamesMayBeQuoted) {
     EXPECT_EQ(material("map_Kd \"\"\n").diffuse_map, "");
 }
 
-TEST(ObjMaterials, AMapWithADriveLetterIsSearchedBesideTheModel) {
-    EXPECT_EQ(material("map_Kd C:\\textures\\wall.png\n").diffuse_map, "m/wall.png");
-}
-
 TEST(ObjMaterials, LightAndItsMapsAreRead) {
     const Material found = material("Ke 2 1 0\nmap_Ks s.png\nmap_d d.png\n");
     EXPECT_EQ(found.emission, glm::vec3(2, 1, 0));

@@ -164,19 +164,6 @@ TEST(Obj, WeightsAndColoursOfVerticesAreNotedOnce) {
                                                      "model.obj:4: the colours of vertices are not read"}));
 }
 
-TEST(Obj, AConcavePolygonIsCoveredOnce) {
-    const ObjModel model = parse_obj("v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n");
-    ASSERT_EQ(model.mesh.indices.size(), 3u * 4);
-    const std::vector<glm::vec3> all = corners(model);
-    double area = 0;
-    for (size_t i = 0; i < all.size(); i += 3) {
-        const double z = vector_area(std::vector<glm::dvec3>(all.begin() + long(i), all.begin() + long(i) + 3)).z;
-        EXPECT_GT(z, 0);
-        area += z;
-    }
-    EXPECT_NEAR(area, 5, 1e-6);
-}
-
 /// A roof: two slopes of 45 degrees that share the ridge 1, 2.
 const std::string roof = "v 0 1 0\nv 0 1 -1\nv -1 0 0\nv -1 0 -1\nv 1 0 0\nv 1 0 -1\n";
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "framework/core/base/text.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -81,24 +82,15 @@ TEST(Triangulate, CutsAConcaveQuadAtItsReflexCorner) {
 }
 
 TEST(Triangulate, CoversConvexAndConcavePolygonsOnce) {
-    expect_covered_anywhere({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}});
-    expect_covered_anywhere({{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});  // an L
-    expect_covered_anywhere(                                                                      // a comb
-        {{0, 0, 0},
-         {5, 0, 0},
-         {5, 3, 0},
-         {4, 3, 0},
-         {4, 1, 0},
-         {3, 1, 0},
-         {3, 3, 0},
-         {2, 3, 0},
-         {2, 1, 0},
-         {1, 1, 0},
-         {1, 3, 0},
-         {0, 3, 0}});
-    expect_covered_anywhere(  // a square with a square hole, and a bridge that is traversed twice
-        {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}});
-    expect_covered_anywhere({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}});  // in line
+    for (const char* corners :
+         {"00 20 31 22 02", "00 30 31 11 13 03",  // an L
+          "00 50 53 43 41 31 33 23 21 11 13 03",  // a comb
+          "00 40 44 04 00 11 13 33 31 11",        // a square with a hole, and a bridge that is traversed twice
+          "00 10 20 22 12 11 01"}) {              // in line
+        Polygon flat;
+        for (const std::string& at : split(corners, ' ')) flat.push_back({at[0] - '0', at[1] - '0', 0});
+        expect_covered_anywhere(flat);
+    }
 }
 
 TEST(Triangulate, CoversStarsOfRandomRadii) {

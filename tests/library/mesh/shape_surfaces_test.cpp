@@ -243,6 +243,7 @@ TEST(ShapeSurfaces, InvalidParametersGiveFinitePositionsAndUnitFrames) {
                       make_column({.bottom_radius = x, .top_radius = 1, .height = x, .sides = n, .rows = n}),
                       make_column({.bottom_radius = x, .top_radius = x, .height = x, .repeat = repeat}),
                       make_column({.bottom_radius = x, .top_radius = 0, .height = 0, .repeat = repeat}),
+                      make_column({.top_radius = x}),
                       make_sphere({.radius = x, .sides = n, .rows = n, .repeat = repeat}),
                       make_cube_sphere({.radius = x, .cells = n, .repeat = repeat}),
                       make_torus({.ring_radius = x, .tube_radius = 1, .sides = n, .rows = n, .repeat = repeat}),
@@ -266,6 +267,9 @@ TEST(ShapeSurfaces, NegativeSizesLoseTheirSignAndTheTubeRadiusIsClamped) {
 
 TEST(ShapeSurfaces, CountsAreBounded) {
     EXPECT_EQ(make_quad({.columns = 2'000'000'000, .rows = 1}).indices.size(), 6u * 4096);
+    EXPECT_EQ(make_quad({.columns = 0, .rows = -3}).indices.size(), 6u);
+    EXPECT_EQ(make_column({.sides = -5, .rows = 0}).indices.size(), 6u * 3);
+    EXPECT_EQ(make_sphere({.sides = 1, .rows = 1}).indices.size(), 6u * 3 * 2);
     EXPECT_EQ(make_cube_sphere({.cells = -7}).vertices.size(), 24u);
     EXPECT_EQ(make_torus({.sides = 0, .rows = 0}).indices.size(), 6u * 3 * 3);
 }

@@ -67,18 +67,6 @@ TEST(Shapes, AreGridsWithTwoTrianglesACell) {
     }
 }
 
-TEST(Shapes, HaveUnitPerpendicularFrames) {
-    for (const Grid& shape : shapes())
-        for (const Vertex& vertex : shape.mesh.vertices) {
-            const glm::dvec3 normal(vertex.normal), tangent(vertex.tangent);
-            // Each of three components is rounded to a float: 2e-7.
-            EXPECT_NEAR(glm::length(normal), 1, 2e-7) << shape.name;
-            EXPECT_NEAR(glm::length(tangent), 1, 2e-7) << shape.name;
-            EXPECT_NEAR(glm::dot(normal, tangent), 0, 2e-7) << shape.name;
-            EXPECT_EQ(vertex.tangent.w, 1) << shape.name;
-        }
-}
-
 TEST(Shapes, FramesFollowTheSurface) {
     for (const Grid& shape : shapes())
         for (int row = 1; row < shape.rows; ++row)
@@ -98,21 +86,6 @@ TEST(Shapes, FramesFollowTheSurface) {
                 EXPECT_NEAR(glm::distance(glm::normalize(dv), bitangent), 0, tolerance)
                     << where << ": v grows along it";
             }
-}
-
-TEST(Shapes, TrianglesAreCounterClockwiseSeenFromOutside) {
-    for (const Grid& shape : shapes()) {
-        const double size = largest_position(shape.mesh);
-        const auto& indices = shape.mesh.indices;
-        for (size_t i = 0; i < indices.size(); i += 3) {
-            const Vertex &a = shape.mesh.vertices[indices[i]], &b = shape.mesh.vertices[indices[i + 1]],
-                         &c = shape.mesh.vertices[indices[i + 2]];
-            const glm::dvec3 out = glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position));
-            if (glm::length(out) < 1e-9 * size * size) continue;  // at a pole, two corners coincide
-            EXPECT_GT(glm::dot(out, glm::dvec3(a.normal + b.normal + c.normal)), 0)
-                << shape.name << ", triangle " << i / 3;
-        }
-    }
 }
 
 TEST(Shapes, UvRunFromZeroToTheRepeat) {
@@ -185,22 +158,6 @@ TEST(Sphere, HasItsNormalsAlongItsRadiiAndItsPolesOnTheAxis) {
     EXPECT_LT(glm::distance(sphere.vertices[3 * 13].position, glm::vec3(0, 0, -3)), 1e-6f) << "u = 0 is at -z";
     for (int column = 0; column <= 12; ++column)  // each of a pole's vertices has the tangent of its own meridian
         EXPECT_EQ(sphere.vertices[size_t(column)].tangent, sphere.vertices[size_t(3 * 13 + column)].tangent);
-}
-
-TEST(Shapes, DegenerateCountsGiveTheCoarsestSolid) {
-    EXPECT_EQ(make_quad({.columns = 0, .rows = -3}).indices.size(), 6u);
-    EXPECT_EQ(make_column({.sides = 0, .rows = 0}).indices.size(), 3u * 6);
-    EXPECT_EQ(make_column({.sides = -5, .rows = 2}).indices.size(), 3u * 2 * 6);
-    EXPECT_EQ(make_sphere({.sides = 1, .rows = 1}).indices.size(), 3u * 2 * 6);
-}
-
-TEST(Shapes, AConesTipAndAFlatQuadKeepUnitFrames) {
-    for (const Mesh& mesh :
-         {make_column({.top_radius = 0}), make_quad({.width = 0, .height = 0}), make_sphere({.radius = 0})})
-        for (const Vertex& vertex : mesh.vertices) {
-            EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-6);
-            EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1, 1e-6);
-        }
 }
 
 }  // namespace

@@ -353,7 +353,6 @@ TEST(Tangents, WeightedByAngleAreClosestToDpDuOnAJitteredTorus) {
     EXPECT_LT(uniform, area);
     EXPECT_NEAR(error(M::mikktspace), angle, 0.05 * angle);
     EXPECT_LT(area, error(M::per_face));
-    RecordProperty("angle", std::to_string(angle));
 }
 
 TEST(Angles, MatchAtan2) {

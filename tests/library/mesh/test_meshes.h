@@ -1,10 +1,14 @@
 // Meshes for testing tangents.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 
+#include "framework/staff/reference/degrees.h"
 #include "framework/staff/reference/jittered_torus.h"
+#include "framework/staff/reference/mikktspace.h"
 
 namespace relief {
 
@@ -60,6 +64,17 @@ inline Mesh random_soup(unsigned seed, int triangles) {
     mesh.vertices[2].uv = mesh.vertices[3].uv = mesh.vertices[4].uv;  // triangles without area in uv
     for (int i = 0; i < 3 * triangles; ++i) mesh.indices.push_back(uint32_t(random() % mesh.vertices.size()));
     return mesh;
+}
+
+/// Expects at each corner of a mesh the tangent of MikkTSpace's published text, where it has one.
+inline void expect_mikktspace(const std::vector<glm::vec4>& found, const Mesh& mesh) {
+    const std::vector<glm::dvec4> wanted = mikktspace_reference(mesh);
+    ASSERT_EQ(found.size(), wanted.size());
+    for (size_t i = 0; i < wanted.size(); ++i) {
+        if (glm::dvec3(wanted[i]) == glm::dvec3(0)) continue;
+        ASSERT_LT(degrees_between(glm::dvec3(found[i]), glm::dvec3(wanted[i])), 0.01) << "corner " << i;
+        ASSERT_EQ(found[i].w, wanted[i].w) << "corner " << i;
+    }
 }
 
 }  // namespace relief

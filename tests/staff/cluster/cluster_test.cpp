@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <map>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/text.h"
+#include "framework/staff/class/progress.h"
 #include "framework/staff/cluster/slurm.h"
 #include "tests/process.h"
 #include "tests/support.h"
@@ -18,29 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Variables = std::map<std::string, std::string>;
-
-/// Sets environment variables and restores them at the end. An empty value removes the variable.
-class Environment {
-public:
-    explicit Environment(const Variables& variables) {
-        for (const auto& [name, value] : variables) {
-            const char* const now = std::getenv(name.c_str());
-            before_[name] = now ? now : "";
-            set(name, value);
-        }
-    }
-    ~Environment() {
-        for (const auto& [name, value] : before_) set(name, value);
-    }
-    Environment(const Environment&) = delete;
-    Environment& operator=(const Environment&) = delete;
-
-private:
-    static void set(const std::string& name, const std::string& value) {
-        value.empty() ? unsetenv(name.c_str()) : setenv(name.c_str(), value.c_str(), 1);
-    }
-    Variables before_;
-};
 
 Variables array_task(const std::string& task, const std::string& min, const std::string& max, const std::string& step,
                      const std::string& count) {
@@ -165,13 +142,6 @@ protected:
         for (const std::string& call : calls()) all.push_back(short_form(call, marks_.string()));
         return all;
     }
-    std::vector<std::string> states() const {
-        std::vector<std::string> all;
-        for (const PartState& one : part_states(marks_, *read_cluster(marks_), read_progress(marks_)))
-            all.push_back(fmt::format("{} {}/{} {} {} {} {}", one.part, one.results, one.submissions, one.state,
-                                      one.node, one.job, one.reason));
-        return all;
-    }
 };
 using Calls = std::vector<std::string>;
 
@@ -206,29 +176,19 @@ TEST_F(ClusterTest, AJobInheritsTheUsersVariablesButNotTheSubmittingJobs) {
     EXPECT_TRUE(contains(environment, "SLURM_CONF=/etc/x.conf\n") && contains(environment, "SBATCH_PARTITION=long\n"));
 }
 
-TEST_F(ClusterTest, StatesComeFromResultsAndFromSlurm) {
+TEST_F(ClusterTest, KnowsItsJobsInTheQueueAndTheLastMessageOfAGrader) {
     send_class(marks_, 3, 0, {});
-    give_result("ann"), give_result("dan");
-    folder_.write("queue",
-                  "11|1|COMPLETED|g1|None\n11|2|RUNNING|g2|None\n11|3|PENDING||Resources\n"
-                  "12|N/A|PENDING||Dependency\n99|1|RUNNING|g7|None\n");
-    EXPECT_EQ(states(), (Calls{"1 2/2 done g1 11_1 ", "2 0/2 runs g2 11_2 ", "3 0/2 waits  11_3 Resources",
-                               "0 0/0 waits  12 Dependency"}));
-    EXPECT_EQ(jobs_at_work(*read_cluster(marks_)), (Calls{"11", "12"}));
-
+    const auto jobs = [&] { return jobs_at_work(*read_cluster(marks_)); };
+    folder_.write("queue", "11\n11\n12\n99\n");
+    EXPECT_EQ(jobs(), (Calls{"11", "12"}));
+    folder_.write("queue", "99\n");
+    EXPECT_EQ(jobs(), Calls());
+    tool("squeue", "exit 1");
+    EXPECT_EQ(jobs(), Calls());
+    EXPECT_EQ(last_message(marks_, 2), "") << "it has no log";
     folder_.write("a class's marks/slurm/part-2.log",
                   "relief: first\nrelief: /tmp/x: cannot write: No space left\n11/11\n");
-    folder_.write("queue", "11|2|FAILED|g2|NonZeroExitCode\n11|3|OUT_OF_MEMORY|g3|None\n12|N/A|RUNNING|g1|None\n");
-    EXPECT_EQ(states()[1], "2 0/2 failed g2 11_2 /tmp/x: cannot write: No space left");
-    EXPECT_EQ(states()[2], "3 0/2 failed g3 11_3 out of memory");
-    EXPECT_EQ(states()[3], "0 0/0 runs g1 12 ");
-
-    folder_.write("a class's marks/report.html", "");
-    folder_.write("queue", "");
-    EXPECT_EQ(states()[3], "0 0/0 done   ");
-    EXPECT_TRUE(jobs_at_work(*read_cluster(marks_)).empty());
-    tool("squeue", "exit 1");
-    EXPECT_EQ(states()[2], "3 0/2 unknown   ") << "only Slurm can say";
+    EXPECT_EQ(last_message(marks_, 2), "/tmp/x: cannot write: No space left");
 }
 
 TEST_F(ClusterTest, ARefusalBySlurmIsReportedVerbatim) {

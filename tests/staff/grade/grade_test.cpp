@@ -55,12 +55,6 @@ std::vector<std::string> grade(std::vector<std::string> words) {
 
 std::string course_file(const std::string& name) { return read_file(course_root() / name); }
 
-std::string replaced(std::string text, const std::string& find, const std::string& by) {
-    const size_t at = text.find(find);
-    EXPECT_NE(at, std::string::npos) << find;
-    return at == std::string::npos ? text : text.replace(at, find.size(), by);
-}
-
 /// Returns the solution of the C++ tasks with `lines` at the start of task 5.2's function, and `top` at file scope.
 std::string cpp_that(const std::string& lines, const std::string& top = "") {
     const std::string text = replaced(course_file(cpp), "    const auto& p = triangle.position;\n",

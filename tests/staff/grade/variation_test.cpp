@@ -2,7 +2,6 @@
 #include "framework/staff/grade/variation.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "framework/core/base/error.h"
 #include "framework/staff/class/roster.h"
@@ -64,19 +63,6 @@ TEST(Variation, KeepsTheKnobsThatACheckSets) {
     EXPECT_EQ(hidden.set.size(), 2u);
 }
 
-class Environment {
-public:
-    explicit Environment(std::map<std::string, std::string> words) : words_(std::move(words)) {
-        for (const auto& [name, value] : words_) setenv(name.c_str(), value.c_str(), 1);
-    }
-    ~Environment() {
-        for (const auto& [name, value] : words_) unsetenv(name.c_str());
-    }
-
-private:
-    std::map<std::string, std::string> words_;
-};
-
 TEST(Shard, IsReadFromTheOptionOrTheJobArrayVariables) {
     const auto parts = [](const std::string& text) {
         const Shard shard = shard_of(text);
@@ -86,14 +72,6 @@ TEST(Shard, IsReadFromTheOptionOrTheJobArrayVariables) {
     EXPECT_EQ(parts("2/8"), (std::pair{1, 8}));
     for (const char* wrong : {"0/8", "9/8", "8", "1/0", "a/b", "1/", "/3", "1/2/3"})
         EXPECT_THROW(shard_of(wrong), UsageError) << wrong;
-    {
-        const Environment slurm({{"SLURM_ARRAY_TASK_ID", "14"},
-                                 {"SLURM_ARRAY_TASK_MIN", "10"},
-                                 {"SLURM_ARRAY_TASK_STEP", "2"},
-                                 {"SLURM_ARRAY_TASK_COUNT", "4"}});
-        EXPECT_EQ(parts(""), (std::pair{2, 4}));
-        EXPECT_EQ(parts("1/2"), (std::pair{0, 2})) << "what is asked for in words comes first";
-    }
     for (const std::string prefix : {"TEST", "GTEST"}) {
         const Environment sharded({{prefix + "_SHARD_INDEX", "3"}, {prefix + "_TOTAL_SHARDS", "4"}});
         EXPECT_EQ(parts(""), (std::pair{3, 4}));

@@ -77,7 +77,7 @@ void expect_no_secrets(const std::map<std::string, std::string>& texts, const st
     const auto nowhere = [&](const std::string& secret, const std::string& but = "no file") {
         secrets->add(secret, but);
     };
-    // `relief check` names mistakes by fingerprints.toml, which contains the hints and nothing else from the staff.
+    // `relief check` names mistakes by fingerprints.json, which contains the hints and nothing else from the staff.
     size_t lines = 0, hidden = 0, mistakes = 0, variants = 0;
     for (const std::string& lab : labs) {
         const Manifest manifest = load_manifest(course_root() / "labs" / lab / "lab.toml");
@@ -90,7 +90,7 @@ void expect_no_secrets(const std::map<std::string, std::string>& texts, const st
         for (const ExampleInfo& example : manifest.examples)
             if (example.hidden)
                 for (const std::string& call : example.calls) nowhere(call);
-        for (const MistakeInfo& mistake : manifest.mistakes) nowhere(mistake.hint, "fingerprints.toml"), ++mistakes;
+        for (const MistakeInfo& mistake : manifest.mistakes) nowhere(mistake.hint, "fingerprints.json"), ++mistakes;
         for (const EquivalentInfo& equivalent : manifest.equivalents) {
             nowhere(equivalent.why), ++variants;
             for (const Edit& edit : equivalent.edits)

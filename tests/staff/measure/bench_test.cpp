@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "framework/core/base/text.h"
+#include "framework/staff/class/csv.h"
 #include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/memory.h"
 #include "framework/staff/measure/peers.h"
@@ -120,22 +121,6 @@ TEST(BenchClock, OfTheProcessorCountsNoTimeInWhichOtherProgramsRun) {
     EXPECT_GT(sum, 0);
 }
 
-std::vector<std::string> fields(const std::string& line) {
-    std::vector<std::string> result(1);
-    bool inside = false;
-    for (size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"')
-            result.back() += line[++i];
-        else if (line[i] == '"')
-            inside = !inside;
-        else if (line[i] == ',' && !inside)
-            result.emplace_back();
-        else
-            result.back() += line[i];
-    }
-    return result;
-}
-
 BenchRow measured(const std::string& method) {
     BenchRow row;
     row.topic = "topic", row.method = method, row.item = "texel", row.state = "measured", row.repeats = 9;
@@ -149,16 +134,12 @@ TEST(BenchCsv, HasAFieldForEachColumnForAnyText) {
     rows[0].error = {1, 2, 3, "degree"}, rows[0].work = {{"taps", 1398101}, {"visits", 2.5}};
     rows[1].times.p90 = 6.5, rows[1].clock = "wall";
     rows[2].state = "crashed: a, b", rows[2].repeats = 0;
-    std::vector<std::string> lines = split(
-        bench_csv(rows, {.cpu = "A, CPU", .compiler = "gcc", .commit = "abc", .load = 7.5, .processors = 2}), '\n');
-    ASSERT_EQ(lines.size(), 5u) << "a header, three lines, and the end of the last";
-    for (std::string& line : lines)
-        if (line.ends_with('\r')) line.pop_back();
-    const auto header = fields(lines[0]);
+    const grade::CsvTable table = grade::parse_csv(
+        bench_csv(rows, {.cpu = "A, CPU", .compiler = "gcc", .commit = "abc", .load = 7.5, .processors = 2}),
+        "bench.csv");
+    ASSERT_EQ(table.rows.size(), 3u);
     const auto field = [&](size_t row, const char* name) {
-        const auto line = fields(lines[row + 1]);
-        EXPECT_EQ(line.size(), header.size()) << lines[row + 1];
-        return line[size_t(std::find(header.begin(), header.end(), name) - header.begin())];
+        return table.cell(table.rows[row], name);  // run_test.cpp counts the fields
     };
     EXPECT_EQ(field(0, "method"), "plain, \"quoted\"");
     EXPECT_EQ(field(0, "knobs"), "a=1 b=2");
@@ -302,16 +283,6 @@ TEST(BenchTopics, MeasureTangentsOnATorusWithoutAFoldedTriangle) {
             folded += glm::dot(across, glm::dvec3(at(0).normal)) <= 0 || one.x * two.y - one.y * two.x <= 0;
         }
         EXPECT_EQ(folded, 0u) << columns << " x " << rows;
-    }
-}
-
-TEST(BenchTopics, IncludeTheUsualMethodAsAPeer) {
-    for (const BenchTopic& topic : bench_topics()) {
-        if (topic.draws || topic.only_time || topic.name == "intersection") continue;
-        bool has_usual = false;
-        for (const BenchScene& scene : topic.scenes({.quick = true}))
-            for (const BenchMethod& method : scene.methods) has_usual |= method.name == "usual" && method.peer;
-        EXPECT_TRUE(has_usual) << topic.name;
     }
 }
 

@@ -22,6 +22,9 @@ namespace fs = std::filesystem;
 
 const std::string task_file = "shaders/11_parallax_occlusion/task.glsl";
 
+std::string solution() { return read_file(course_root() / task_file); }
+std::string starter() { return check::starter_of(solution(), task_file); }
+
 /// A folder with submissions of lab 11.
 class OriginalityTest : public testing::Test {
 protected:
@@ -30,18 +33,15 @@ protected:
         folder_.write(name + "/" + file, text);
         return folder_.path() / name;
     }
+    /// Returns the folders of the solution and of all variants of the lab.
+    std::vector<fs::path> hand_in_right_answers() {
+        std::vector<fs::path> paths = {hand_in("right", solution())};
+        for (const EquivalentInfo& variant : load_manifest(find_lab("11")).equivalents)
+            paths.push_back(hand_in("right " + variant.id, edited(variant.edits).at(task_file)));
+        return paths;
+    }
     const TemporaryFolder folder_;
 };
-
-std::string solution() { return read_file(course_root() / task_file); }
-std::string starter() { return check::starter_of(solution(), task_file); }
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    EXPECT_NE(text.find(from), std::string::npos) << from;
-    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
 
 /// The solution with the march of 11.2 and the search of 11.4 as one person wrote them.
 std::string own_answer() {
@@ -106,20 +106,10 @@ std::string copied_answer() {
                     "float t =\n            b.before + s *\n            (b.after - b.before);  // in between");
 }
 
-/// Returns the solution and all variants of the lab.
-std::vector<std::string> right_answers() {
-    std::vector<std::string> texts = {solution()};
-    for (const EquivalentInfo& variant : load_manifest(find_lab("11")).equivalents)
-        texts.push_back(edited(variant.edits).at(task_file));
-    return texts;
-}
-
 std::vector<const LabEntry*> lab_11() { return {&find_lab("11")}; }
 
 TEST_F(OriginalityTest, ARenamedAndReorderedCopyIsTheFirstPairAndRightAnswersAreNone) {
-    std::vector<fs::path> paths;
-    const std::vector<std::string> right = right_answers();
-    for (size_t i = 0; i < right.size(); ++i) paths.push_back(hand_in("right" + std::to_string(i), right[i]));
+    std::vector<fs::path> paths = hand_in_right_answers();
     EXPECT_TRUE(compare_class(paths, {}, lab_11()).pairs.empty());
     paths.insert(paths.begin() + 3, hand_in("author", own_answer()));
     paths.push_back(hand_in("copy", copied_answer()));
@@ -147,9 +137,7 @@ TEST_F(OriginalityTest, ARenamedAndReorderedCopyIsTheFirstPairAndRightAnswersAre
 TEST_F(OriginalityTest, MembersOfATeamAreNoPair) {
     ClassFile policy;
     policy.students = {{.student = "jane", .team = "red"}, {.student = "joe", .team = "red"}, {.student = "kim"}};
-    std::vector<fs::path> paths;
-    const std::vector<std::string> right = right_answers();
-    for (size_t i = 0; i < right.size(); ++i) paths.push_back(hand_in("right" + std::to_string(i), right[i]));
+    std::vector<fs::path> paths = hand_in_right_answers();
     for (const char* name : {"jane", "joe", "kim"}) paths.push_back(hand_in(name, own_answer()));
     const OriginalityReport report = compare_class(paths, {}, lab_11(), policy);
     EXPECT_EQ(report.of_teams, 1u);
@@ -186,9 +174,7 @@ TEST_F(OriginalityTest, AStarterSharesNothing) {
 }
 
 TEST_F(OriginalityTest, ThreeCopiesAreOneCluster) {
-    std::vector<fs::path> paths;
-    const std::vector<std::string> right = right_answers();
-    for (size_t i = 0; i < right.size(); ++i) paths.push_back(hand_in("right" + std::to_string(i), right[i]));
+    std::vector<fs::path> paths = hand_in_right_answers();
     for (const char* name : {"a", "b", "c"}) paths.push_back(hand_in(name, own_answer()));
     const OriginalityReport report = compare_class(paths, {}, lab_11());
     EXPECT_EQ(report.pairs.size(), 3u);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/support.h"
+
 namespace relief::grade {
 namespace {
 
@@ -37,12 +39,6 @@ std::string normal_text(const std::string& text, const std::string& task = "1.1"
     std::string all;
     for (const NormalToken& token : parts[task].tokens) all += token.text + ' ';
     return all;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
 }
 
 std::set<uint64_t> fingerprints(const std::vector<NormalToken>& tokens, const Grams& given = {}) {

@@ -35,6 +35,13 @@ Image waves(int width, int height, bool rounded) {
     return map;
 }
 
+/// Returns the 16 values of a channel of a block, which begins at this byte of a file.
+std::array<double, 16> values_at(const std::string& file, size_t block, size_t channel, RgtcKind kind) {
+    std::array<uint8_t, 8> bytes;
+    std::memcpy(bytes.data(), file.data() + block + 8 * channel, 8);
+    return rgtc_decode(rgtc_block(bytes, kind), kind);
+}
+
 TEST(Bc5Texture, HasTheHeaderOfTheProgrammingGuide) {
     for (const bool mips : {false, true})
         for (const RgtcKind kind : {RgtcKind::unorm, RgtcKind::snorm}) {
@@ -71,9 +78,7 @@ TEST(Bc5Texture, StatesTheErrorOfItsBlocks) {
                     const size_t block = size_t(148 + 16 * (y / 4 * 3 + x / 4)), texel = size_t(x % 4 + y % 4 * 4);
                     glm::dvec3 n(0);
                     for (int c = 0; c < 2; ++c) {
-                        std::array<uint8_t, 8> bytes;
-                        std::memcpy(bytes.data(), texture.file.data() + block + size_t(8 * c), 8);
-                        const double value = rgtc_decode(rgtc_block(bytes, kind), kind)[texel];
+                        const double value = values_at(texture.file, block, size_t(c), kind)[texel];
                         n[c] = kind == RgtcKind::unorm ? 2 * value - 1 : value;
                     }
                     n.z = std::sqrt(std::max(0.0, 1 - n.x * n.x - n.y * n.y));
@@ -109,20 +114,15 @@ TEST(Bc5Texture, KeepsTheMeansOfUnitNormalsInItsMipLevels) {
     const Bc5Texture texture = encode_bc5(map, {.kind = RgtcKind::snorm, .mips = true});
     EXPECT_EQ(texture.levels, 4);
     for (size_t block = 4; block < 7; ++block)  // after the four of level 0
-        for (size_t c = 0; c < 2; ++c) {
-            std::array<uint8_t, 8> bytes;
-            std::memcpy(bytes.data(), texture.file.data() + 148 + 16 * block + 8 * c, 8);
-            for (const double value : rgtc_decode(rgtc_block(bytes, RgtcKind::snorm), RgtcKind::snorm))
+        for (size_t c = 0; c < 2; ++c)
+            for (const double value : values_at(texture.file, 148 + 16 * block, c, RgtcKind::snorm))
                 EXPECT_NEAR(value, 0, 1e-6);
-        }
 }
 
 TEST(Bc5Texture, RepeatsTheLastColumnAndRowBeyondTheMap) {
     const Bc5Texture texture = encode_bc5(waves(5, 5, false));
     const auto values_of = [&](size_t block, size_t channel) {
-        std::array<uint8_t, 8> bytes;
-        std::memcpy(bytes.data(), texture.file.data() + 148 + 16 * block + 8 * channel, 8);
-        return rgtc_decode(rgtc_block(bytes, RgtcKind::unorm), RgtcKind::unorm);
+        return values_at(texture.file, 148 + 16 * block, channel, RgtcKind::unorm);
     };
     for (size_t channel = 0; channel < 2; ++channel)
         for (size_t i = 0; i < 16; ++i) {
@@ -155,9 +155,7 @@ TEST(Dds, IsDecodedAsTheReferenceDecodesItsBlocks) {
             for (int x = 0; x < 32; ++x) {
                 const size_t block = size_t(148 + 16 * (y / 4 * 8 + x / 4));
                 for (int c = 0; c < 2; ++c) {
-                    std::array<uint8_t, 8> bytes;
-                    std::memcpy(bytes.data(), file.data() + block + size_t(8 * c), 8);
-                    const double value = rgtc_decode(rgtc_block(bytes, kind), kind)[size_t(x % 4 + y % 4 * 4)];
+                    const double value = values_at(file, block, size_t(c), kind)[size_t(x % 4 + y % 4 * 4)];
                     EXPECT_NEAR(decoded.pixel(x, y)[c], kind == RgtcKind::unorm ? value : 0.5 * value + 0.5, 1e-6);
                 }
                 EXPECT_GE(decoded.pixel(x, y)[2], 0.5f) << "z is rebuilt, and not negative";

@@ -82,6 +82,34 @@ TEST(NormalsFromHeights, OfAPlaneAreExactUpToTheBorder) {
     }
 }
 
+TEST(NormalsFromHeights, OfAnInfiniteSlopeLieFlatInItsDirection) {
+    const Image plane = heights(24, 24, [](int x, int y) { return (3 * x + 4 * y) / 128.0; });
+    for (const double texels : {1e3, 1e18, 1e21, 1e30})
+        for (const F filter : {F::central, F::sobel, F::spline}) {
+            const Image normals =
+                normals_from_heights(plane, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});
+            // Rows run down and v runs up: the normal is (-3, 4) / 5, horizontal. At 1e3 it still rises by 1 / 39.
+            EXPECT_NEAR(decoded(normals, 12, 12).x, -0.6, 1e-3) << texels;
+            EXPECT_NEAR(decoded(normals, 12, 12).y, 0.8, 1e-3) << texels;
+            EXPECT_EQ(normals.bits, 8);
+        }
+}
+
+TEST(NormalsFromHeights, AtTheBorderWrapOrUseSecondOrderOneSidedDifferences) {
+    const Image row = heights(4, 1, [](int x, int) { return x * x; });  // 0 1 4 9, of slopes 0 2 4 6
+    const Image column = heights(1, 4, [](int, int y) { return y * y; });
+    const auto expect = [](const Image& map, bool wrap, int x, int y, double du, double dv) {
+        EXPECT_LT(degrees_between(decoded(normals_from_heights(map, {.wrap = wrap}), x, y), {-du, -dv, 1}), 1e-5)
+            << wrap << ": " << x << ", " << y;
+    };
+    expect(row, true, 0, 0, (1.0 - 9.0) / 2, 0);
+    expect(row, false, 0, 0, 0, 0);
+    expect(row, true, 3, 0, (0.0 - 4.0) / 2, 0);
+    expect(row, false, 3, 0, 6, 0);
+    expect(column, true, 0, 0, 0, (9.0 - 1.0) / 2);
+    expect(column, false, 0, 3, 0, -6);
+}
+
 TEST(NormalsFromHeights, ShiftWithTheTile) {
     const int width = 37, height = 21;
     const Image map = random_heights(22, width, height);
