@@ -206,11 +206,8 @@ Lines lonely(const Users& users) {
 
 TEST(SharedCode, IsUsedByTwoLabsOrByAnotherRoom) {
     const Lines exceptions = {
-        // A user's OBJ file with its materials, beside own_mesh.h, which is one without. Its tangents.
-        "framework/library/kit/obj_scene: labs/08_obj_materials",
         // The bench of lab 02 measures it, from framework/staff/measure.
         "framework/library/maps/bc1: labs/02_normal_map_storage",
-        "framework/library/mesh/uv_tangents: labs/08_obj_materials",
         // The twin of framework/staff/reference/mesh_rays.h, with which other labs compute exact values.
         "shaders/common/mesh_rays.glsl: labs/07_baking",
     };

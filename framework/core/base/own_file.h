@@ -4,7 +4,6 @@
 #include <cctype>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,11 +21,9 @@ public:
     /// Reads a file, and prints its notes on standard error. Throws Error that names the file when it is missing,
     /// damaged, too large or unsuitable; then the previous file's contents stay.
     void read(const std::filesystem::path& file) {
-        const auto written = written_at(file);
         notes_ = load(file);
         for (const std::string& note : notes_) print_note(note);
         file_ = std::filesystem::absolute(file);
-        written_ = written;
         ++version_;
     }
 
@@ -37,8 +34,6 @@ public:
 
     /// Absolute path; empty until a file has been read.
     const std::filesystem::path& file() const { return file_; }
-    /// Returns whether the file has been written since it was read, or is gone.
-    bool has_changed() const { return written_at(file_) != written_; }
     /// Increases with each file that is read.
     int version() const { return version_; }
     /// What the file holds that was not read or was changed, one line each. Each names the file.
@@ -48,13 +43,7 @@ private:
     /// Reads the contents and returns the notes. Throws as read() does, and changes nothing then.
     virtual std::vector<std::string> load(const std::filesystem::path& file) = 0;
 
-    static std::filesystem::file_time_type written_at(const std::filesystem::path& file) {
-        std::error_code missing;
-        return std::filesystem::last_write_time(file, missing);
-    }
-
     std::filesystem::path file_;
-    std::filesystem::file_time_type written_;
     std::vector<std::string> notes_;
     int version_ = 0;
 };

@@ -19,7 +19,7 @@ struct Key {
     int code;          ///< GLFW_KEY_...
     std::string name;  ///< "z", "+"; empty for keys that type nothing
     bool control;
-    bool repeated = false;  ///< it was down before
+    bool repeated = false;  ///< it is held, and the system repeats it
 };
 
 class GlfwWindow final : public Context {
@@ -32,8 +32,8 @@ public:
 
     void make_current() override { glfwMakeContextCurrent(window_); }
     GLFWwindow* handle() const { return window_; }
-    /// Returns the keys pressed since the last call, in order. Includes keys that were released in between: a frame may
-    /// take longer than a key press.
+    /// Returns the keys pressed or repeated since the last call, in order. Includes keys that were released in between:
+    /// a frame may take longer than a key press.
     std::vector<Key> take_keys() { return std::exchange(keys_, {}); }
     /// Returns the characters typed since the last call. The question mark is read this way, because its key depends on
     /// the keyboard layout.

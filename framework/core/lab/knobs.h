@@ -54,7 +54,8 @@ private:
 
 /// A knob as text.
 struct KnobText {
-    std::string name, value;  ///< set_knob() reads exactly this value from its text
+    std::string name;
+    std::string value;  ///< as text, from which set_knob() restores it exactly
     KnobHelp help;
     std::string group;                 ///< the heading above it; may be empty
     std::vector<std::string> choices;  ///< the values that have names; "off" and "on" of a toggle; none of a number

@@ -154,7 +154,7 @@ std::string text_of(const Fingerprints& fingerprints, const Manifest& manifest) 
             draws.push_back(as_json(sample, fingerprints.checks.at(check).solution, steps_of(manifest.checks[check])));
         mistakes.push_back({{"task", mistake.task}, {"hint", mistake.hint}, {"draws", draws}});
     }
-    return json{{"checks", checks}, {"mistakes", mistakes}}.dump() + "\n";
+    return json{{"checks", checks}, {"mistakes", mistakes}}.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 Sample sample_at(const Image& drawn, const std::string& error, const std::vector<size_t>& values) {

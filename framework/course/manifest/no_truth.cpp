@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "framework/core/base/from_staff.h"
-#include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
 #include "framework/course/manifest/manifest.h"
 

@@ -82,7 +82,7 @@ public:
     void group(const char* heading) override { heading_ = heading; }
     void slider(const char* name, float& value, float low, float high, const KnobHelp& help) override {
         json& knob = add(name, "slider", help);
-        knob["value"] = plain(value), knob["low"] = low, knob["high"] = high;
+        knob["value"] = fmt::format("{}", value), knob["low"] = low, knob["high"] = high;
     }
     void steps(const char* name, int& value, int low, int high, const KnobHelp& help) override {
         json& knob = add(name, "steps", help);

@@ -12,7 +12,6 @@
 #include "framework/core/base/cancel.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
-#include "framework/core/base/own_file.h"
 #include "framework/core/base/text.h"
 #include "framework/course/pages/method_comparison.h"
 #include "framework/course/window/menu_imgui.h"
@@ -21,6 +20,9 @@
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_words.h"
 #include "framework/library/kit/made_map.h"
+#include "framework/library/kit/obj_scene.h"
+#include "framework/library/kit/own_mesh.h"
+#include "framework/library/maps/own_picture.h"
 #include "framework/library/maps/visualize.h"
 
 namespace relief::window {
@@ -82,6 +84,23 @@ void draw_log_scale(double max, const std::string& unit) {
 std::string sentence(std::string text) {
     text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
     return text + ".";
+}
+
+bool have_same_contents(const OwnFile& one, const OwnFile& other) {
+    const auto same_mesh = [](const Mesh& a, const Mesh& b) {
+        return a.indices == b.indices && std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                                                    b.vertices.end(), [](const Vertex& v, const Vertex& w) {
+                                                        return v.position == w.position && v.normal == w.normal &&
+                                                               v.uv == w.uv;
+                                                    });
+    };
+    if (const auto* const picture = dynamic_cast<const OwnPicture*>(&one))
+        return picture->image().values == dynamic_cast<const OwnPicture&>(other).image().values;
+    if (const auto* const mesh = dynamic_cast<const OwnMesh*>(&one))
+        return same_mesh(mesh->mesh(), dynamic_cast<const OwnMesh&>(other).mesh());
+    if (const auto* const model = dynamic_cast<const OwnObj*>(&one))
+        return same_mesh(model->model().mesh, dynamic_cast<const OwnObj&>(other).model().mesh);
+    return false;
 }
 
 }  // namespace
@@ -190,8 +209,10 @@ bool ErrorMap::finish(Stage& stage) {
 
 void ErrorMap::compare(Stage& stage, const Work& work) {
     if (!work.exact) throw Error(work.failure);
-    for (const auto& [knob, own] : files_of(*stage.lab()))
-        if (own->has_changed()) throw Error({own->file()}, "has changed since it was loaded: load it again");
+    const auto ours = files_of(*stage.lab()), theirs = files_of(*work.lab);
+    for (size_t i = 0; i < ours.size(); ++i)
+        if (!have_same_contents(*ours[i].second, *theirs.at(i).second))
+            throw Error({ours[i].second->file()}, "has changed since it was loaded: load it again");
     const ProbeInfo& probe = work.probes.front();
     const Image& exact = *work.exact;
     const Target target(TargetKind::probe, work.frame.size);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "framework/core/base/error.h"
+#include "framework/course/pages/check_figures.h"
 #include "framework/course/window/menu_check_list.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_stage.h"
@@ -52,7 +53,8 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
         const std::optional<check::Outcome> worst = checks.worst(tasks[i]);
         ImGui::TextColored(sign_of(worst).color, "%s", lines[i].c_str());
         tooltip(fmt::format("Task {}, {}, {}: {}. A click opens its checks.", tasks[i].id, tasks[i].title,
-                            worst ? check::name_of(*worst) : "being checked", check::points_text(checks.of(tasks[i]))));
+                            worst ? pages::outcome_words(*worst) : "being checked",
+                            check::points_text(checks.of(tasks[i]))));
         if (ImGui::IsItemClicked()) wish.ask(LabAction::show_tasks);
         ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 1.5f);
     }

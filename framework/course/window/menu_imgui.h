@@ -3,6 +3,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cstdint>
 
@@ -14,6 +15,15 @@ inline ImTextureID texture_id(unsigned texture) {
     return texture;
 #else
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
+#endif
+}
+
+/// Returns whether all keys and letters have reached the widgets. From 1.87 on, they do so over several frames.
+inline bool is_input_read() {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#else
+    return true;
 #endif
 }
 

@@ -99,7 +99,8 @@ void add_in_lab(int key, const OpenParts& open, MenuWish& wish) {
 }  // namespace
 
 void add_key(const Key& key, const OpenParts& open, MenuWish& wish) {
-    if (key.repeated && !open.search && !open.labs) return;  // marks move on while a key is held
+    // Only marks move on while a key is held.
+    if (key.repeated && (key.control || key.code == GLFW_KEY_ESCAPE || !(open.search || open.labs))) return;
     if (key.code == GLFW_KEY_ESCAPE && open.part && (open.list || open.active)) return;  // the widget's own
     if (key.code == GLFW_KEY_ESCAPE && (open.search || !open.typing)) {
         if (const auto action = closing(open)) wish.ask(*action);

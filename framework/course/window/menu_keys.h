@@ -15,7 +15,7 @@ struct OpenParts {
     bool explanation = false, check = false, brush = false, wipe = false, motion = false, handout = false;
 };
 
-/// Adds the action of a pressed key to the wish; nothing for a key without an action.
+/// Adds the action of a pressed or repeated key to the wish; nothing for a key without an action.
 void add_key(const Key& key, const OpenParts& open, MenuWish& wish);
 /// Adds the action of a typed character: "?" and "/", whose keys depend on the keyboard's layout.
 void add_character(unsigned character, const OpenParts& open, MenuWish& wish);

@@ -22,7 +22,7 @@ void Motion::advance(Stage& stage, double seconds) {
     if (!is_on() || !stage.lab()) return;
     const double step = std::clamp(seconds, 0.0, longest_step);
     if (turns_) stage.camera().yaw = std::remainder(stage.camera().yaw + degrees_per_second * step, 360);
-    for (const KnobText& knob : describe_knobs(*stage.lab())) {
+    for (const KnobText& knob : slider_.empty() ? std::vector<KnobText>() : describe_knobs(*stage.lab())) {
         if (knob.name != slider_) continue;
         const double low = double(knob.low), high = double(knob.high), range = high - low;
         double moved = parse_number(knob.value).value_or(low) + direction_ * range * step / seconds_per_range;

@@ -10,7 +10,6 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/base/text.h"
 #include "framework/core/lab/lab.h"
 #include "framework/course/pages/markdown.h"
 #include "framework/course/window/menu_checks.h"
@@ -129,6 +128,7 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
         ImGui::OpenPopup("search");
         text_[0] = 0;
         marked_ = 0;
+        closing_ = taking_ = false;
         print_event("search: open");
     }
     const ImVec2 all = ImGui::GetIO().DisplaySize;
@@ -148,7 +148,8 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     const int count = int(std::min(found.size(), most));
     marked_ = std::clamp(marked_, 0, std::max(0, count - 1));
     const MenuWish* taken = nullptr;
-    if (std::exchange(taking_, false)) {
+    if (taking_ && is_input_read()) {
+        taking_ = false;
         if (count > 0)
             taken = &found[size_t(marked_)].wish;
         else

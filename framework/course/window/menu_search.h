@@ -25,7 +25,7 @@ public:
     bool is_open() const { return wanted_ || open_; }
     /// Moves the mark, by rows.
     void move(int rows) { marked_ += rows; }
-    /// Takes the marked result in the next frame, in which it stands below all letters that were typed.
+    /// Takes the marked result as soon as all typed letters have reached the text field.
     void take() { taking_ = true; }
     /// Draws the search. A click takes a result, too.
     void draw(float scale, const Stage& stage, const Checks& checks, MenuWish& wish);

@@ -35,11 +35,11 @@ struct Material {
     float opacity = 1;               ///< d, or else 1 - Tr; clamped to [0, 1]
     float bump_scale = 1;            ///< -bm of the bump map
     // Paths that can be opened (relative ones begin with the model's folder), or empty.
-    std::filesystem::path diffuse_map = {};       ///< map_Kd
-    std::filesystem::path specular_map = {};      ///< map_Ks
-    std::filesystem::path opacity_map = {};       ///< map_d
-    std::filesystem::path bump_map = {};          ///< map_Bump, map_bump or bump: heights, and in some files normals
-    std::filesystem::path normal_map = {};        ///< norm
+    std::filesystem::path diffuse_map = {};   ///< map_Kd
+    std::filesystem::path specular_map = {};  ///< map_Ks
+    std::filesystem::path opacity_map = {};   ///< map_d
+    std::filesystem::path bump_map = {};      ///< map_Bump, map_bump or bump: heights, and in some files normals
+    std::filesystem::path normal_map = {};    ///< norm
     /// Keywords of its statements and options of its maps, each once, in the order of the file, at most 32. They tell a
     /// renderer which of them it does not use, also of those that have no member here (Ka, map_Ke, -clamp).
     std::vector<std::string> words = {};

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
@@ -17,6 +17,7 @@ namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
 
 constexpr const char* report_file = "report.html";
 
@@ -35,7 +36,7 @@ int start_class(const grade::ClassOptions& options, int parts, int processors, c
     make_folder(options.output);
     const Descriptor at_work = grade::hold_output(options.output, grade::Hold::alone);
     if (const auto before = grade::read_cluster(options.output))
-        if (const auto jobs = grade::jobs_at_work(*before); !jobs.empty())
+        if (const auto jobs = grade::jobs_at_work(*before).value_or(Words()); !jobs.empty())
             throw Error(fmt::format("this class is at work: wait for relief grade --status '{}', or end it: scancel {}",
                                     options.output.string(), join(jobs, " ")));
     grade::enlist_class(options);
@@ -52,39 +53,46 @@ int start_class(const grade::ClassOptions& options, int parts, int processors, c
 int print_status(const fs::path& folder, bool json) {
     const grade::ClassProgress progress = grade::read_progress(folder);
     const auto cluster = grade::read_cluster(folder);
-    const std::vector<std::string> lacking = progress.without_result();
-    const std::vector<std::string> jobs = cluster ? grade::jobs_at_work(*cluster) : std::vector<std::string>();
+    const Words lacking = progress.without_result();
+    const std::optional<Words> jobs = cluster ? grade::jobs_at_work(*cluster) : Words();
     const bool has_report = cluster ? cluster->has_report : fs::exists(folder / report_file);
-    const size_t parts = cluster ? size_t(cluster->parts) : 0;
-    std::vector<std::array<size_t, 2>> counts(parts);  // of results and of submissions
-    for (size_t i = 0; i < progress.marks.size() && parts > 0; ++i)
-        counts[i % parts][0] += progress.marks[i].has_value(), ++counts[i % parts][1];
+    struct Part {
+        size_t submissions = 0, results = 0;
+        std::string said = {};  ///< the last message of its grader, if it lacks results
+    };
+    std::vector<Part> parts(cluster ? size_t(cluster->parts) : 0);
+    for (size_t i = 0; i < progress.marks.size() && !parts.empty(); ++i) {
+        Part& part = parts[i % parts.size()];
+        ++part.submissions, part.results += progress.marks[i].has_value();
+    }
+    for (size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].results < parts[i].submissions) parts[i].said = grade::last_message(folder, int(i) + 1);
+    const std::string last = cluster && !has_report ? grade::last_message(folder, 0) : "";
     if (json) {
         nlohmann::ordered_json all = {{"submissions", progress.marks.size()},
                                       {"results", progress.results()},
                                       {"report", has_report},
                                       {"without_result", nlohmann::ordered_json::array()}};
         for (const std::string& name : lacking) all["without_result"].push_back(grade::utf8_of_bytes(name));
-        if (cluster) all["jobs"] = jobs;
-        for (size_t i = 0; i < parts; ++i)
+        for (size_t i = 0; i < parts.size(); ++i)
             all["parts"].push_back({{"part", i + 1},
-                                    {"submissions", counts[i][1]},
-                                    {"results", counts[i][0]},
-                                    {"said", grade::last_message(folder, int(i) + 1)}});
+                                    {"submissions", parts[i].submissions},
+                                    {"results", parts[i].results},
+                                    {"said", parts[i].said}});
+        if (cluster) all["last_job"] = {{"said", last}}, all["jobs"] = nullptr;
+        if (cluster && jobs) all["jobs"] = *jobs;
         fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
         return 0;
     }
     fmt::print("{}: {} of {} submissions have a result\n", folder.string(), progress.results(), progress.marks.size());
-    for (size_t i = 0; i < parts; ++i) {
-        const auto [results, submissions] = counts[i];
-        const std::string said = results < submissions ? grade::last_message(folder, int(i) + 1) : "";
-        fmt::print("part {:>4}  {:>9}{}{}\n", i + 1, fmt::format("{}/{}", results, submissions),
-                   said.empty() ? "" : "  ", said);
-    }
-    if (!jobs.empty()) fmt::print("Slurm has: {}; squeue shows where they run, or why they wait\n", join(jobs, ", "));
-    if (cluster && jobs.empty() && !has_report)
-        if (const std::string said = grade::last_message(folder, 0); !said.empty())
-            fmt::print("the last job: {}\n", said);
+    for (size_t i = 0; i < parts.size(); ++i)
+        fmt::print("part {:>4}  {:>9}{}{}\n", i + 1, fmt::format("{}/{}", parts[i].results, parts[i].submissions),
+                   parts[i].said.empty() ? "" : "  ", parts[i].said);
+    if (!last.empty()) fmt::print("the last job: {}\n", last);
+    if (!jobs)
+        fmt::print("squeue fails: it is unknown which jobs wait or run\n");
+    else if (!jobs->empty())
+        fmt::print("jobs that wait or run: {} (squeue says where, and why they wait)\n", join(*jobs, ", "));
     if (!lacking.empty()) fmt::print("without a result: {}\n", grade::some_of(lacking));
     if (has_report) fmt::print("the report: {}\n", (folder / report_file).string());
     return 0;

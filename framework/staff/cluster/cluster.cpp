@@ -48,10 +48,11 @@ std::optional<Cluster> read_cluster(const fs::path& folder) {
     }
 }
 
-Words jobs_at_work(const Cluster& cluster) {
-    const std::set<std::string> queued = queued_jobs();
+std::optional<Words> jobs_at_work(const Cluster& cluster) {
+    const auto queued = queued_jobs();
+    if (!queued) return {};
     Words jobs = {cluster.parts_job, cluster.report_job};
-    std::erase_if(jobs, [&](const std::string& job) { return !queued.contains(job); });
+    std::erase_if(jobs, [&](const std::string& job) { return !queued->contains(job); });
     return jobs;
 }
 

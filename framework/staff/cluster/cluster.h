@@ -23,8 +23,8 @@ struct Cluster {
 /// damaged.
 std::optional<Cluster> read_cluster(const std::filesystem::path& folder);
 
-/// Returns the jobs of the class that wait or run, according to squeue. None if it fails.
-std::vector<std::string> jobs_at_work(const Cluster& cluster);
+/// Returns the jobs of the class that wait or run. Nothing if squeue fails.
+std::optional<std::vector<std::string>> jobs_at_work(const Cluster& cluster);
 
 /// Writes the jobs' scripts into FOLDER/slurm, where they replace scripts of an earlier run. Then submits all parts and
 /// the last job. `folder` contains class.json; `options` are options of `relief grade`. Throws Error if Slurm rejects a

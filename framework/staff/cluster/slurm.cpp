@@ -71,10 +71,11 @@ std::string submit_job(const Words& options, const Words& script) {
     return job;
 }
 
-std::set<std::string> queued_jobs() {
+std::optional<std::set<std::string>> queued_jobs() {
     const ProcessResult done = run_slurm({"squeue", "--noheader", "--user=" + std::to_string(getuid()), "--format=%F"});
-    const Words jobs = split(done.succeeded() ? done.output : "", '\n');
-    return {jobs.begin(), jobs.end()};
+    if (!done.succeeded()) return {};
+    const Words jobs = split(done.output, '\n');
+    return std::set<std::string>(jobs.begin(), jobs.end());
 }
 
 }  // namespace relief::grade

@@ -20,7 +20,8 @@ std::optional<int> processors_from_slurm();
 /// not its resource limits. Throws Error with sbatch's message.
 std::string submit_job(const std::vector<std::string>& options, const std::vector<std::string>& script);
 
-/// Returns the numbers of this user's jobs that wait or run; that of its array for a task. None if squeue fails.
-std::set<std::string> queued_jobs();
+/// Returns the numbers of this user's jobs that wait or run; for a task, the number of its array. Nothing if squeue
+/// fails.
+std::optional<std::set<std::string>> queued_jobs();
 
 }  // namespace relief::grade

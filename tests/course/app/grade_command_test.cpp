@@ -138,7 +138,7 @@ TEST_F(GradeCommand, TheLastJobGradesWhatThePartsLeft) {
     folder_.write("marks/slurm/part-2.log", "relief: no disk\n");
     EXPECT_EQ(grade({"--status", "marks"}).out,
               "marks: 2 of 3 submissions have a result\npart    1        2/2\npart    2        0/1  no disk\n"
-              "Slurm has: 12; squeue shows where they run, or why they wait\nwithout a result: ben\n");
+              "jobs that wait or run: 12 (squeue says where, and why they wait)\nwithout a result: ben\n");
     const json all = json::parse(grade({"--status", "marks", "--json"}).out);
     EXPECT_EQ(all["submissions"], 3);
     EXPECT_EQ(all["results"], 2);

@@ -86,7 +86,10 @@ TEST(Keys, AHeldKeyMovesMarksAndNothingElse) {
     EXPECT_EQ(held(GLFW_KEY_DOWN, {.labs = true}).rows, 1);
     for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_S, GLFW_KEY_ESCAPE, GLFW_KEY_F6})
         EXPECT_TRUE(held(key, {}).is_empty()) << key;
-    for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_HOME}) EXPECT_TRUE(held(key, {.labs = true}).is_empty()) << key;
+    for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_HOME, GLFW_KEY_ESCAPE})
+        for (const bool search : {false, true})
+            EXPECT_TRUE(held(key, {.search = search, .labs = true}).is_empty()) << key;
+    EXPECT_EQ(actions_of({GLFW_KEY_KP_ADD, "+", true, true}, {.labs = true}), Actions());
 }
 
 TEST(Keys, MoveThroughAPartThatHasThemAndLettersStayTheLabs) {
