@@ -4,6 +4,8 @@
 //   error    one line, and `details`, `file`, `line` if there are any
 //   missing  the empty files that the call tried to read: the page fetches them, and repeats the call
 #include <emscripten.h>
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "framework/core/base/error.h"
