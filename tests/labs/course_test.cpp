@@ -30,8 +30,6 @@
 
 namespace relief {
 
-namespace fs = std::filesystem;
-
 static void PrintTo(const LabEntry& lab, std::ostream* stream) { *stream << lab.folder; }
 
 namespace {

@@ -43,7 +43,7 @@ double mean_difference(const Image& a, const Image& b) {
 }
 
 TEST(ObjectSpace, BakedLightIsRightForItsLampAndPoseOnly) {
-    const auto off = [](std::vector<Knob> knobs) {
+    const auto off = [](const std::vector<Knob>& knobs) {
         return mean_difference(baked_view(knobs, 0), baked_view(knobs, 2));
     };
     const double at_rest = off({{"twist", "0"}});

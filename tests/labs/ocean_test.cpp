@@ -258,8 +258,8 @@ TEST(Ocean, HeightsOfAFileGiveTheWavesOfTheFormulaTheyCameFrom) {
     const TemporaryFolder folder;
     const std::string file = (folder.path() / "waves.png").string();
     write_image(file, grey);
-    const auto normals = [](std::vector<Knob> more) {
-        return drawn("15", from_above(near_sea(std::move(more)), "normal"));
+    const auto normals = [](const std::vector<Knob>& more) {
+        return drawn("15", from_above(near_sea(more), "normal"));
     };
     const Image formula = normals({});
     // Central differences flatten the shortest waves, 17 texels long, by 2 %; slopes are 0.2 and less.

@@ -6,7 +6,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
 
@@ -63,7 +62,7 @@ std::optional<Value> from_chars(std::string_view text) {
 
 /// Compares bits, because -0 equals 0.
 bool is_same(std::optional<double> a, std::optional<double> b) {
-    return a.has_value() == b.has_value() && (!a || std::memcmp(&*a, &*b, sizeof(double)) == 0);
+    return a.has_value() == b.has_value() && (!a || std::bit_cast<uint64_t>(*a) == std::bit_cast<uint64_t>(*b));
 }
 
 /// Returns numbers of every exponent with random mantissas.

@@ -16,7 +16,8 @@ class ProgramTest : public testing::Test {
 protected:
     TemporaryFolder folder_;
 
-    Program program(const std::string& vertex, const std::string& fragment, std::vector<std::string> defines = {}) {
+    Program program(const std::string& vertex, const std::string& fragment,
+                    const std::vector<std::string>& defines = {}) {
         folder_.write("a.vert", vertex), folder_.write("a.frag", fragment);
         return Program({folder_.path() / "a.vert", folder_.path() / "a.frag"}, defines);
     }

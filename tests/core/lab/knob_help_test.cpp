@@ -13,7 +13,9 @@ TEST(KnobHelp, IsALineAndASentence) {
     EXPECT_EQ(KnobHelp("depth of a layer").in("metres").sentence(), "Depth of a layer, metres.");
     EXPECT_EQ(KnobHelp("is it on?").sentence(), "Is it on?");
     EXPECT_EQ(KnobHelp("").sentence(), "");
-    const auto only = [](std::vector<std::string> values) { return KnobHelp("the cut").only("view", values).line(); };
+    const auto only = [](const std::vector<std::string>& values) {
+        return KnobHelp("the cut").only("view", values).line();
+    };
     EXPECT_EQ(only({"map"}), "for view = map: the cut");
     EXPECT_EQ(only({"map", "one"}), "for view = map and one: the cut");
     EXPECT_EQ(only({"map", "rays", "one"}), "for view = map, rays and one: the cut");

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <glm/glm.hpp>
 #include <thread>
 
+#include "framework/core/base/file.h"
 #include "framework/core/image/color.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"

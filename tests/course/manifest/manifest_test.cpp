@@ -10,7 +10,6 @@
 namespace relief {
 namespace {
 
-namespace fs = std::filesystem;
 using Set = std::vector<std::pair<std::string, std::string>>;
 
 /// Loads a lab.toml of this text, and a staff/grading.toml unless `grading` is empty.
