@@ -173,7 +173,8 @@ bool KnobText::is_toggle() const { return choices == std::vector<std::string>{"o
 std::string KnobText::range() const {
     if (is_toggle()) return "on, off";
     if (!is_number()) return fmt::format("{}", fmt::join(choices, ", "));
-    return fmt::format("{} to {}{}", plain(low), plain(high), is_whole ? ", whole" : "");
+    if (is_whole) return fmt::format("{:.0f} to {:.0f}, whole", low, high);
+    return plain(low) + " to " + plain(high);
 }
 
 std::vector<KnobText> describe_knobs(Lab& lab) {

@@ -61,6 +61,15 @@ TEST(Knobs, AreDescribedInOrderWithValueRangeAndHelp) {
     }
 }
 
+TEST(Knobs, HaveTheRangeOfLargeIntegersInFull) {
+    class Many final : public Lab {
+        int many_ = 1;
+        void draw(const Frame&) override {}
+        void knobs(Knobs& knobs) override { knobs.steps("many", many_, -1'234'567, 7'654'321, "how many"); }
+    } lab;
+    EXPECT_EQ(describe_knobs(lab).front().range(), "-1234567 to 7654321, whole");
+}
+
 TEST(Knobs, AreSetFromTextForEveryType) {
     Wall wall;
     set_knob(wall, "scale", "-0.125");
