@@ -253,6 +253,44 @@ constexpr const char* faint_texts_script = R"js((() => {
   return texts > 10 ? [...found] : ["there is no text"];
 })())js";
 
+/// Texts of different elements whose letters cover one another, as far as they are visible.
+constexpr const char* covered_texts_script = R"js((() => {
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), lines = [], found = new Set();
+  const seen = (box, element) => {
+    let [left, top, right, bottom] = [box.left, box.top, box.right, box.bottom];
+    for (; element && element != document.body; element = element.parentElement) {
+      const style = getComputedStyle(element);
+      if (style.clipPath != "none") return null;
+      if (style.overflowX == "visible" && style.overflowY == "visible") continue;
+      const edge = element.getBoundingClientRect();
+      left = Math.max(left, edge.left), right = Math.min(right, edge.right);
+      top = Math.max(top, edge.top), bottom = Math.min(bottom, edge.bottom);
+    }
+    return right - left > 2 && bottom - top > 2 ? {left, top, right, bottom} : null;
+  };
+  while (walker.nextNode()) {
+    const text = walker.currentNode.textContent.trim(), element = walker.currentNode.parentElement;
+    if (!text || !element.checkVisibility({opacityProperty: true, visibilityProperty: true}) ||
+        element.closest("script, style, title, desc, textarea, select, math, .CodeMirror, .cm-editor")) continue;
+    const range = document.createRange();
+    range.selectNodeContents(walker.currentNode);
+    for (const box of range.getClientRects()) {
+      const line = seen(box, element);
+      if (line) lines.push({...line, text, element});
+    }
+  }
+  lines.sort((a, b) => a.top - b.top);
+  lines.forEach((a, i) => {
+    for (let k = i + 1; k < lines.length && lines[k].top < a.bottom; ++k) {
+      const b = lines[k], wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+      const high = Math.min(a.bottom, b.bottom) - b.top;
+      if (a.element != b.element && wide > 2 && high > 0.4 * Math.min(a.bottom - a.top, b.bottom - b.top))
+        found.add(a.text.slice(0, 60) + " | " + b.text.slice(0, 60));
+    }
+  });
+  return [...found];
+})())js";
+
 }  // namespace
 
 std::vector<std::string> Browser::faint_texts() { return eval(faint_texts_script); }
@@ -277,6 +315,7 @@ std::vector<std::string> Browser::accessibility_faults() {
                  {"awaitPromise", true}});
             if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
             for (const std::string fault : answer["result"]["value"]) found.insert(fault);
+            for (const std::string texts : eval(covered_texts_script)) found.insert("covered text: " + texts);
         }
     width(0), dark(false);
     return {found.begin(), found.end()};

@@ -63,8 +63,9 @@ public:
         return texts;
     }
     /// Returns the faults that axe-core finds on the page at widths of 1440 and 390 pixels, in light and in dark, with
-    /// all details open: each fault once. Includes the rule on the size of targets, which is new in WCAG 2.2. Throws if
-    /// axe-core is not installed; the script relief installs it for `test --ci`.
+    /// all details open, and the texts that cover one another there: each fault once. Includes the rule on the size of
+    /// targets, which is new in WCAG 2.2. Throws if axe-core is not installed; the script relief installs it for
+    /// `test --ci`.
     std::vector<std::string> accessibility_faults();
     /// Returns the browser's complaints since the page was opened: errors of scripts, and violations of the page's
     /// policy.

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int quiz_side = 320;  ///< longer side of a picture, in pixels
+constexpr int quiz_side = 480;  ///< longer side of a picture, in pixels
 
 std::string letter_of(size_t choice) { return std::string(1, char('A' + int(choice))); }
 

@@ -69,9 +69,16 @@ private:
     }
     double time(size_t place) const { return rows_[place].times.median * scale_; }
 
-    /// A log axis of less than two decades needs more tics than its powers of ten.
-    static std::string time_tics(double left, double right) {
-        if (right / left > 100) return {};
+    /// Returns how many numbers of `letters` letters have room below the plot.
+    double room_for_tics(double letters) const { return plot_size().x / (0.7 * style_.axes * (letters + 1)); }
+
+    /// A log axis of less than two decades needs more tics than its powers of ten, and one that is narrow needs fewer.
+    std::string time_tics(double left, double right) const {
+        const double decades = std::log10(right / left);
+        if (decades > 2) {
+            const double each = std::ceil(decades / room_for_tics(std::max(2.0, std::log10(right))));
+            return each > 1 ? fmt::format("set xtics 1e{}\n", each) : "";
+        }
         std::string text;
         for (double decade = std::pow(10, std::floor(std::log10(left))); decade < right; decade *= 10)
             for (const int times : {1, 2, 5})
@@ -106,7 +113,7 @@ private:
         return all;
     }
 
-    static std::string axes(const Span& all) {
+    std::string axes(const Span& all) const {
         const double left = all.left / 1.25, right = all.right * 1.9;
         std::string text = fmt::format(
             "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
@@ -320,19 +327,31 @@ private:
         return text + layers(data);
     }
 
+    /// Returns the step of an axis from 0 to `end` whose numbers have room.
+    double step_of_tics(double end) const {
+        const double letters = std::max(3.0, std::log10(end) + 1), least = end / room_for_tics(letters);
+        const double decade = std::pow(10, std::floor(std::log10(least)));
+        for (const double times : {1.0, 2.0, 5.0})
+            if (times * decade >= least) return times * decade;
+        return 10 * decade;
+    }
+
     /// Bars, each below its name.
     std::string bars() const {
         std::string data;
+        double end = 0;
         for (size_t i = 0; i < timed_.size(); ++i) {
             const BenchRow& row = rows_[timed_[i]];
+            end = std::max(end, row.times.p90 * scale_);
             data += fmt::format("{} {} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
                                 row.times.p90 * scale_, title(timed_[i]), 2 * row.peer + row.is_wide(),
                                 gnuplot_text(short_name(row)));
         }
         std::string text = fmt::format(
-            "$bars{0} << END\n{1}END\nunset ytics\nset yrange [0.4:{2}]\nset xrange [0:*]\n"
+            "$bars{0} << END\n{1}END\nunset ytics\nset yrange [0.4:{2}]\nset xrange [0:*]\n{3}"
             "set grid xtics lc rgb '#ece8e0'\nplot ",
-            number_, data, double(timed_.size()) + 0.6);
+            number_, data, double(timed_.size()) + 0.6,
+            end > 0 ? fmt::format("set xtics {}\n", step_of_tics(end)) : "");
         for (const int kind : {0, 1, 2, 3})
             text += fmt::format(
                 "$bars{0} using ($6=={1}?$2/2:1/0):($1-0.3):($2/2):(0.16) with boxxyerror fs {2} lc rgb '{3}', \\\n  ",
