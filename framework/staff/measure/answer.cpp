@@ -55,11 +55,11 @@ std::string about_as_fast(std::span<const BenchRow> rows, const std::vector<size
            (unknown.empty() ? "" : " Cannot be told apart from it in this run: " + list_of(unknown) + ".");
 }
 
-/// Returns "1.7 times as long", "about as long", or that the run cannot tell.
+/// Returns "1.7 times as long", "not clearly longer in this run", or that the run cannot tell.
 std::string as_long(const BenchRow& slow, const BenchRow& fast) {
     switch (difference_between(slow, fast)) {
         case Difference::about_equal:
-            return "about as long";
+            return "not clearly longer in this run";
         case Difference::unknown:
             return "a time that cannot be told apart in this run";
         default:

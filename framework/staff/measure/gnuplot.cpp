@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "framework/core/base/error.h"
@@ -12,7 +13,17 @@
 namespace relief::measure {
 namespace {
 
-constexpr int title_height = 44;
+/// Returns "0.01", and "10⁻⁵" where that has fewer letters.
+std::string decade_label(int power) {
+    if (std::abs(power) < 4) return plain(std::pow(10, power));
+    constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = power < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(power))) text += digits[digit - '0'];
+    return text;
+}
+
+int first_power(double low) { return int(std::ceil(std::log10(low) - 0.01)); }
+int last_power(double high) { return int(std::floor(std::log10(high) + 0.01)); }
 
 /// Removes gnuplot's own script, gives points titles that browsers show, and makes element names unique on a page with
 /// several plots.
@@ -59,25 +70,29 @@ std::string gnuplot_text(const std::string& text) {
     return result + '"';
 }
 
-std::string gnuplot_panels(const std::string& title, std::span<const std::string> panels, const GnuplotPanel& panel) {
-    const int count = int(panels.size());
-    const int columns = std::min({count, panel.most_columns, count <= 4 ? 2 : count <= 9 ? 3 : 4});
-    const int lines = (count + columns - 1) / columns;
-    const int width = std::max(columns, panel.least_columns) * panel.size.x,
-              height = lines * panel.size.y + title_height;
-    std::string script = fmt::format(
-        "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
-        "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
-        "',14'\n",
-        width, height, lines, columns, 90.0 / width, 1 - 44.0 / width, double(panel.below) / height,
-        1 - (title_height + 34.0) / height, 90.0 / width, (panel.below + 40.0) / height, gnuplot_text(title));
-    for (const std::string& one : panels) script += one;
-    return script + "unset multiplot\n";
+std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& commands) {
+    return fmt::format(
+        "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,{2}' background '#ffffff'\n"
+        "set lmargin at screen {3:.4f}\nset rmargin at screen {4:.4f}\n"
+        "set tmargin at screen {5:.4f}\nset bmargin at screen {6:.4f}\n{7}",
+        style.size.x, style.size.y, style.axes, margins.left / style.size.x, 1 - margins.right / style.size.x,
+        1 - margins.top / style.size.y, margins.bottom / style.size.y, commands);
 }
 
-std::string gnuplot_panel(const std::string& panel, const PanelStyle& style) {
-    return fmt::format("set terminal svg size {},{} dynamic font 'DejaVu Sans,{}' background '#ffffff'\n{}",
-                       style.size.x, style.size.y, style.axes, panel);
+std::string decade_tics(double low, double high, double most) {
+    const int first = first_power(low), last = last_power(high);
+    const int step = std::max(1, int(std::ceil((last - first) / std::max(1.0, most))));
+    std::vector<std::string> all;
+    for (int power = first; power <= last; power += step)
+        all.push_back(fmt::format("'{}' 1e{}", decade_label(power), power));
+    return "(" + join(all, ", ") + ")";
+}
+
+size_t longest_decade(double low, double high) {
+    size_t longest = 1;
+    for (int power = first_power(low); power <= last_power(high); ++power)
+        longest = std::max(longest, std::abs(power) < 4 ? decade_label(power).size() : 4);
+    return longest;
 }
 
 std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name, const std::string& title) {

@@ -1,9 +1,8 @@
-// Plots by gnuplot: panels side by side in one SVG that a page can embed.
+// Plots by gnuplot, as SVG that a page can embed.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,30 +13,28 @@ constexpr const char* gnuplot_text_color = "#23211d";
 /// Returns the text as a quoted gnuplot string.
 std::string gnuplot_text(const std::string& text);
 
-/// The layout of a panel, in pixels.
-struct GnuplotPanel {
+/// The size of a plot, and the font sizes of its title, axes and names, in pixels.
+struct PlotStyle {
     glm::ivec2 size;
-    int below = 60;         ///< height of the part below the axis
-    int least_columns = 2;  ///< minimum number of columns, even for fewer panels
-    int most_columns = 4;
-};
-
-/// Returns a script of panels under a title. Each panel holds the commands of one plot.
-std::string gnuplot_panels(const std::string& title, std::span<const std::string> panels, const GnuplotPanel& panel);
-
-/// The size of a panel, and the font sizes of its title, axes and names.
-struct PanelStyle {
-    glm::ivec2 size{440, 340};
-    int title = 12, axes = 11, names = 9;
+    int title, axes, names;             ///< title 0: the plot has none
     bool all_names = false;             ///< also name the pale points
-    bool direct_names = false;          ///< name the curves of a sweep at their ends instead of in a legend
     std::string note = {};              ///< after the title, such as "quick run"
     std::vector<size_t> numbered = {};  ///< rows whose names are their places in this list, from 1 on
-    int legend = 0;                     ///< height of a legend below the axis, as part of `size`
 };
 
-/// Returns a script of one panel.
-std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
+/// Distances of a plot's axes from the edges of its picture, in pixels. gnuplot leaves a name of an axis out if it has
+/// no room.
+struct PlotMargins {
+    double left, right, top, bottom;
+};
+
+/// Returns the script for a plot of this size and these margins. `commands` are those that draw it.
+std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& commands);
+
+/// Returns "('0.1' 0.1, '1' 1, '10⁴' 10000)": labels for at most `most` of the powers of ten from `low` to `high`.
+std::string decade_tics(double low, double high, double most);
+/// Returns the number of letters of the longest such label.
+size_t longest_decade(double low, double high);
 
 /// Runs a script and returns the SVG. Labels with a hypertext "#17 its name" become elements `class="point"
 /// data-row="17"` with the name as their title. Names of elements begin with `name`, so that a page can hold several

@@ -12,6 +12,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
+#include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/sweep.h"
 
@@ -19,13 +20,13 @@ namespace relief::measure {
 namespace {
 
 constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#8f887b",
-                     *peer_color = "#23629b", *text_color = gnuplot_text_color;
+                     *peer_color = "#23629b", *text_color = gnuplot_text_color, *grid_color = "#dcd6ca";
 
-/// The panel of one scene, in milliseconds or nanoseconds.
-class Panel {
+/// The plot of one scene, in seconds, milliseconds or nanoseconds.
+class ScenePlot {
 public:
-    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
-        : rows_(rows), number_(number), style_(style) {
+    ScenePlot(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PlotStyle& style)
+        : rows_(rows), style_(style) {
         for (const size_t place : scene)
             if (rows[place].is_timed()) timed_.push_back(place);
         double longest = 0;
@@ -35,6 +36,14 @@ public:
         else if (longest >= 1e6)
             scale_ = 1e-6, unit_ = "ms";
         front_ = front_of(rows, timed_);
+        has_errors_ = has_errors(rows, timed_);
+        if (!has_errors_) style_.size.y = int(5.5 * style.axes + 2.4 * style.names * double(timed_.size() + 1));
+        const double axes = style.axes,
+                     letters = has_errors_ ? double(longest_decade(span().floor, span().ceiling)) : 0;
+        margins_ = {.left = has_errors_ ? (0.7 * letters + 2.8) * axes : axes,
+                    .right = 1.4 * axes,
+                    .top = style.title > 0 ? 2.2 * style.title : 0.8 * axes,
+                    .bottom = 4.7 * axes};
     }
 
     std::string script() const {
@@ -44,12 +53,11 @@ public:
         if (0.62 * style_.title * double(title.size() + style_.note.size()) > style_.size.x) title.clear();
         if (!style_.note.empty()) title += (title.empty() ? "" : ", ") + style_.note;
         std::string text = fmt::format(
-            "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
-            "set xtics autofreq font ',{0}'\nset ytics autofreq font ',{0}'\nset title {1} noenhanced font ',{2}'\nset "
-            "border 3 lc "
-            "rgb '#8a857b'\n"
-            "set tics nomirror textcolor rgb '{3}'\nset key off\n",
-            style_.axes, gnuplot_text(title), style_.title, text_color);
+            "set xtics autofreq font ',{0}'\nset border 3 lc rgb '#8a857b'\n"
+            "set tics nomirror textcolor rgb '{1}'\nset key off\n",
+            style_.axes, text_color);
+        if (style_.title > 0)
+            text += fmt::format("set title {} noenhanced font ',{}'\n", gnuplot_text(title), style_.title);
         const bool any_wide =
             std::any_of(timed_.begin(), timed_.end(), [&](size_t place) { return rows_[place].is_wide(); });
         std::string below = fmt::format("{} per {}", unit_, first.item);
@@ -57,7 +65,7 @@ public:
         if (any_wide && 0.62 * style_.axes * double(below.size() + std::string_view(note).size()) < plot_size().x)
             below += note;
         text += fmt::format("set xlabel '{}' noenhanced\n", below);
-        return text + (has_errors(rows_, timed_) ? points() : bars());
+        return gnuplot_script(style_, margins_, text + (has_errors_ ? points() : bars()));
     }
 
 private:
@@ -72,16 +80,18 @@ private:
     /// Returns how many numbers of `letters` letters have room below the plot.
     double room_for_tics(double letters) const { return plot_size().x / (0.7 * style_.axes * (letters + 1)); }
 
-    /// A log axis of less than two decades needs more tics than its powers of ten, and one that is narrow needs fewer.
+    /// Returns tics of a log axis: within its decades as many numbers as have room.
     std::string time_tics(double left, double right) const {
         const double decades = std::log10(right / left);
-        if (decades > 2) {
-            const double each = std::ceil(decades / room_for_tics(std::max(2.0, std::log10(right))));
-            return each > 1 ? fmt::format("set xtics 1e{}\n", each) : "";
-        }
+        if (decades > 2) return "set xtics " + decade_tics(left, right, room_for_tics(5)) + "\n";
+        const double room = room_for_tics(double(plain(std::floor(right)).size())) / decades;
+        const std::pair<double, std::vector<int>> choices[] = {
+            {0.14, {1, 2, 3, 5, 7}}, {0.3, {1, 2, 5}}, {0.47, {1, 3}}, {1, {1}}};  // with the least distance of two
+        const auto choice = std::find_if(std::begin(choices), std::end(choices) - 1,
+                                         [&](const auto& one) { return one.first * room >= 1; });
         std::string text;
         for (double decade = std::pow(10, std::floor(std::log10(left))); decade < right; decade *= 10)
-            for (const int times : {1, 2, 5})
+            for (const int times : choice->second)
                 text += fmt::format("{0}'{1}' {1}", text.empty() ? "" : ", ", plain(times * decade));
         return fmt::format("set xtics ({})\n", text);
     }
@@ -115,11 +125,13 @@ private:
 
     std::string axes(const Span& all) const {
         const double left = all.left / 1.25, right = all.right * 1.9;
+        const double low = all.any_zero ? 10 * all.floor : all.floor;
         std::string text = fmt::format(
-            "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
-            "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\nset bars 0\n"
-            "{}",
-            plural(all.unit), left, right, all.floor, all.ceiling, time_tics(left, right));
+            "set ylabel 'mean error, {}' noenhanced\nset logscale xy\n"
+            "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '{}'\nset bars 0\n"
+            "set ytics {} font ',{}'\n{}",
+            plural(all.unit), left, right, all.floor, all.ceiling, grid_color,
+            decade_tics(low, all.ceiling, plot_size().y / (1.6 * style_.axes)), style_.axes, time_tics(left, right));
         if (all.any_zero) text += fmt::format("set ytics add ('0' {})\n", all.floor);
         return text;
     }
@@ -131,8 +143,10 @@ private:
             return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
         }
     };
-    /// Returns the approximate size of the plot without titles, axes and numbers, as gnuplot divides a panel.
-    glm::dvec2 plot_size() const { return glm::dvec2(style_.size) - glm::dvec2(118, 105); }
+    /// Returns the size of the plot without titles, axes and numbers.
+    glm::dvec2 plot_size() const {
+        return glm::dvec2(style_.size) - glm::dvec2(margins_.left + margins_.right, margins_.top + margins_.bottom);
+    }
     double width(const std::string& name) const { return 0.66 * style_.names * double(name.size()); }
     double height() const { return 1.3 * style_.names; }
 
@@ -165,8 +179,8 @@ private:
             }
             text += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n", time(place),
                                 peer_color);
-            if (room.low.y < 0) continue;           // no room left
-            const double rim = 0.4 * style_.names;  // sizes are approximate
+            if (room.low.y < 0 || room.low.x < 0) continue;  // no room left
+            const double rim = 0.4 * style_.names;           // sizes are approximate
             taken.push_back({room.low - rim, room.high + rim});
             text += fmt::format(
                 "set label {} at {},graph {:.3f} rotate by 90 right font ',{}' textcolor rgb '{}' noenhanced offset "
@@ -232,7 +246,7 @@ private:
                 const glm::dvec2 near = point + glm::dvec2(0.7 * sides[i].x, 1.5 * sides[i].y) * double(style_.axes);
                 const double left = sides[i].x > 0 ? near.x : near.x - length;
                 const Room room{{left, near.y - height() / 2}, {left + length, near.y + height() / 2}};
-                if (left < 0 || room.high.x > plot_size().x + 14 || room.low.y < 0 ||
+                if (left < 0 || room.high.x > plot_size().x + margins_.right - 2 || room.low.y < 0 ||
                     std::any_of(taken.begin(), taken.end(), [&](const Room& other) { return room.meets(other); }) ||
                     std::any_of(marks.begin(), marks.end(),
                                 [&](const Mark& mark) { return mark.of != place && room.meets(mark.room); }))
@@ -284,7 +298,7 @@ private:
     std::string layers(const Blocks& blocks) const {
         std::vector<std::string> plots;
         const auto add = [&](const std::string& name, const std::string& how) {
-            if (blocks.contains(name)) plots.push_back(fmt::format("${}{} {}", name, number_, how));
+            if (blocks.contains(name)) plots.push_back(fmt::format("${} {}", name, how));
         };
         const auto dots = [&](const std::string& name, const char* color, double size, int shape) {
             const auto dot = [&](const std::string& block, int of_shape) {
@@ -322,8 +336,15 @@ private:
         const auto marked = std::ptrdiff_t(taken.size());
         std::string text = axes(all) + upright_lines(all, taken);
         taken.erase(taken.begin(), taken.begin() + marked);  // a point's own bar is no obstacle to its name
-        const Blocks data = blocks(all, named_points(all, std::move(taken)));
-        for (const auto& [name, block] : data) text += fmt::format("${}{} << END\n{}END\n", name, number_, block);
+        const std::map<size_t, size_t> named = named_points(all, std::move(taken));
+        for (const auto& [place, side] : named)
+            if (std::abs(sides[side].y) > 1)
+                text += fmt::format(
+                    "set arrow from first {},first {} rto character {},character {} nohead lw 0.7 lc rgb '{}'\n",
+                    time(place), std::max(rows_[place].error.mean, all.floor), 0.8 * sides[side].x,
+                    0.75 * sides[side].y, quiet_color);
+        const Blocks data = blocks(all, named);
+        for (const auto& [name, block] : data) text += fmt::format("${} << END\n{}END\n", name, block);
         return text + layers(data);
     }
 
@@ -348,51 +369,30 @@ private:
                                 gnuplot_text(short_name(row)));
         }
         std::string text = fmt::format(
-            "$bars{0} << END\n{1}END\nunset ytics\nset yrange [0.4:{2}]\nset xrange [0:*]\n{3}"
-            "set grid xtics lc rgb '#ece8e0'\nplot ",
-            number_, data, double(timed_.size()) + 0.6,
-            end > 0 ? fmt::format("set xtics {}\n", step_of_tics(end)) : "");
+            "$bars << END\n{}END\nunset ytics\nset yrange [0.4:{}]\nset xrange [0:*]\n{}"
+            "set grid xtics lc rgb '{}'\nplot ",
+            data, double(timed_.size()) + 0.6, end > 0 ? fmt::format("set xtics {}\n", step_of_tics(end)) : "",
+            grid_color);
         for (const int kind : {0, 1, 2, 3})
             text += fmt::format(
-                "$bars{0} using ($6=={1}?$2/2:1/0):($1-0.3):($2/2):(0.16) with boxxyerror fs {2} lc rgb '{3}', \\\n  ",
-                number_, kind, kind % 2 == 1 ? "empty" : "solid noborder", kind < 2 ? "#e3b99d" : "#aac6df");
+                "$bars using ($6=={}?$2/2:1/0):($1-0.3):($2/2):(0.16) with boxxyerror fs {} lc rgb '{}', \\\n  ", kind,
+                kind % 2 == 1 ? "empty" : "solid noborder", kind < 2 ? "#e3b99d" : "#aac6df");
         return text + fmt::format(
-                          "$bars{0} using 2:($1-0.3):3:4 with xerrorbars pt 0 lw 1 lc rgb '{1}', \\\n"
-                          "  $bars{0} using 2:($1-0.3):5 with labels hypertext point pt 7 ps 0.4 lc rgb '{1}', \\\n"
-                          "  $bars{0} using (0):($1+0.2):7 with labels left offset 0.6,0 font ',{2}' textcolor rgb "
-                          "'{1}' noenhanced\n",
-                          number_, text_color, style_.names);
+                          "$bars using 2:($1-0.3):3:4 with xerrorbars pt 0 lw 1 lc rgb '{0}', \\\n"
+                          "  $bars using 2:($1-0.3):5 with labels hypertext point pt 7 ps 0.4 lc rgb '{0}', \\\n"
+                          "  $bars using (0):($1+0.2):7 with labels left offset 0.6,0 font ',{1}' textcolor rgb "
+                          "'{0}' noenhanced\n",
+                          text_color, style_.names);
     }
 
     std::span<const BenchRow> rows_;
-    size_t number_;
-    PanelStyle style_;
+    PlotStyle style_;
+    PlotMargins margins_{};
+    bool has_errors_ = false;
     std::vector<size_t> timed_, front_;
     double scale_ = 1;
     const char* unit_ = "ns";
 };
-
-/// Returns the height that the bars of a scene need for their names; 0 without bars.
-int height_of_bars(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
-    const auto timed = std::count_if(scene.begin(), scene.end(), [&](size_t place) { return rows[place].is_timed(); });
-    return has_errors(rows, scene) ? 0 : 105 + int(2.4 * style.names * double(timed));
-}
-
-std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
-    PanelStyle style;
-    for (const std::vector<size_t>& scene : scenes_of(rows))
-        style.size.y = std::max(style.size.y, height_of_bars(rows, scene, style));
-    std::vector<std::string> panels;
-    for (const std::vector<size_t>& scene : scenes_of(rows))
-        if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
-            panels.push_back(std::move(panel));
-    if (panels.empty()) return {};
-    const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
-    return gnuplot_panels(
-        fmt::format("{}: {} clock, {}{}{}{}", topic.name, clocks_of(rows), by, machine.load > 0 ? ", " : "",
-                    load_text(machine), machine.is_quick ? ", quick run" : ""),
-        panels, {style.size});
-}
 
 }  // namespace
 
@@ -432,7 +432,7 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
     return front;
 }
 
-std::string point_label(const BenchRow& row, size_t place, const PanelStyle& style) {
+std::string point_label(const BenchRow& row, size_t place, const PlotStyle& style) {
     const auto found = std::find(style.numbered.begin(), style.numbered.end(), place);
     return found == style.numbered.end() ? short_name(row) : std::to_string(found - style.numbered.begin() + 1);
 }
@@ -456,31 +456,22 @@ std::vector<size_t> numbered_rows(const BenchTopic& topic, std::span<const Bench
     return numbered;
 }
 
-std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
-                                      const BenchMachine& machine) {
-    const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
-    if (scenes.size() == 1) {
-        const glm::ivec2 size = topic.sweeps ? glm::ivec2(740, 536) : glm::ivec2(1136, 430);
-        const PanelStyle slide{.size = size,
-                               .title = 24,
-                               .axes = 24,
-                               .names = 24,
-                               .all_names = !topic.sweeps,
-                               .direct_names = true,
-                               .note = machine.is_quick ? "quick run" : ""};
-        return scene_plot(topic, rows, scenes.front(), slide, topic.name);
-    }
-    const std::string script = topic.sweeps ? sweep_script(topic, rows, machine) : script_of(topic, rows, machine);
-    return script.empty() ? "" : run_gnuplot(script, topic.name, topic.question);
+std::optional<std::string> slide_plot(const BenchTopic& topic, std::span<const BenchRow> rows, bool is_quick) {
+    const std::vector<size_t> scene = chief_scene(rows);
+    const PlotStyle style{.size = topic.sweeps ? glm::ivec2(740, 536) : glm::ivec2(1136, 450),
+                          .title = 24,
+                          .axes = 24,
+                          .names = 24,
+                          .all_names = !topic.sweeps,
+                          .note = is_quick ? "quick run" : ""};
+    return scene_plot(topic, rows, scene, style, topic.name);
 }
 
 std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
-                                      const std::vector<size_t>& scene, const PanelStyle& style,
+                                      const std::vector<size_t>& scene, const PlotStyle& style,
                                       const std::string& name) {
-    PanelStyle whole = style;
-    if (!topic.sweeps) whole.size.y = std::max(whole.size.y, height_of_bars(rows, scene, style));
-    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, whole) : Panel(rows, scene, 0, whole).script();
-    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, whole), name, topic.question);
+    const std::string script = topic.sweeps ? sweep_script(rows, scene, style) : ScenePlot(rows, scene, style).script();
+    return script.empty() ? "" : run_gnuplot(script, name, topic.question);
 }
 
 }  // namespace relief::measure

@@ -51,13 +51,11 @@ constexpr std::array our_looks = {Look{"#23211d", whole, 7},  Look{"#a84300", wh
 constexpr std::array peer_looks = {Look{"#0a5c9e", "'-'", 6}, Look{"#3f51a8", "'.'", 4}, Look{"#0a5c9e", "'-.'", 8},
                                    Look{"#3f51a8", "'-'", 10}};
 
-int legend_columns(const PanelStyle& style) { return style.size.x / 210; }
-
 /// The curves of one scene.
-class Panel {
+class SweepPlot {
 public:
-    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
-        : rows_(rows), number_(number), style_(style) {
+    SweepPlot(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PlotStyle& style)
+        : rows_(rows), style_(style) {
         for (const size_t place : scene)
             if (rows[place].sweep && !rows[place].sweep->places.empty()) places_.push_back(place);
         double low = 1e300, high = 0;
@@ -77,42 +75,46 @@ public:
     std::string script() const {
         if (places_.empty()) return {};
         const BenchRow& first = rows_[places_.front()];
+        const double low = any_zero_ ? 10 * floor_ : floor_, high = any_lost_ ? ceiling_ / 10 : ceiling_;
         std::string text = fmt::format(
-            "unset arrow\nunset label\nset grid xtics ytics lc rgb '#ece8e0'\nset format y '%g'\n"
-            "set logscale xy\nset xtics ({}) font ',{}'\nset ytics autofreq font ',{}'\n"
-            "set title {} noenhanced font ',{}'\nset border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
+            "set grid xtics ytics lc rgb '#dcd6ca'\nset logscale xy\nset key off\n"
+            "set xtics {} font ',{}'\nset ytics {} font ',{}'\n"
+            "set border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
             "set xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-            tics(), style_.axes, style_.axes, gnuplot_text(title(first)), style_.title, gnuplot_text_color,
+            decade_tics(left_, right_, plot_size().x / (4.8 * style_.axes)), style_.axes,
+            decade_tics(low, high, plot_size().y / (1.6 * style_.axes)), style_.axes, gnuplot_text_color,
             gnuplot_text(hardness()), gnuplot_text("error, " + plural(first.error.unit)), left_ / 1.3, right_ * 1.3,
             floor_, ceiling_);
-        text += style_.direct_names ? "set key off\n" + names_at_ends() : legend();
+        if (style_.title > 0)
+            text += fmt::format("set title {} noenhanced font ',{}'\n", gnuplot_text(title(first)), style_.title);
+        text += names_at_ends();
         if (any_zero_) text += fmt::format("set ytics add ('0' {})\n", floor_);
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
         std::vector<std::string> plots;
         for (const size_t row : places_) curve(row, text, plots);
-        return text + "plot " + join(plots, ", \\\n  ") + "\n";
+        return gnuplot_script(style_, margins(), text + "plot " + join(plots, ", \\\n  ") + "\n");
     }
 
 private:
+    PlotMargins margins() const {
+        const double axes = style_.axes, letters = double(std::max<size_t>(longest_decade(floor_, ceiling_), 4));
+        return {.left = (0.7 * letters + 2.8) * axes,
+                .right = names_width() + 16,
+                .top = style_.title > 0 ? 2.2 * style_.title : 0.8 * axes,
+                .bottom = 4.7 * axes};
+    }
+    glm::dvec2 plot_size() const {
+        const PlotMargins all = margins();
+        return glm::dvec2(style_.size) - glm::dvec2(all.left + all.right, all.top + all.bottom);
+    }
+
     /// Returns a title such as "hits angle": the values of the scene's knobs.
     std::string title(const BenchRow& row) const {
         std::string text;
         for (const auto& [knob, value] : row.scene) text += (text.empty() ? "" : ", ") + value;
         std::replace(text.begin(), text.end(), '-', ' ');
         return style_.note.empty() ? text : text + ", " + style_.note;
-    }
-
-    /// Returns as many powers of ten as have room side by side.
-    std::string tics() const {
-        const int first = int(std::ceil(std::log10(left_) - 0.01)), last = int(std::floor(std::log10(right_) + 0.01));
-        const double room = (style_.size.x - 110 - (style_.direct_names ? names_width() : 0)) / (4.8 * style_.axes);
-        const int step = std::max(1, int(std::ceil((last - first) / std::max(1.0, room))));
-        std::vector<std::string> all;
-        for (int power = first; power <= last; power += step)
-            all.push_back(fmt::format(
-                "'{}' 1e{}", std::abs(power) <= 3 ? plain(std::pow(10, power)) : fmt::format("1e{}", power), power));
-        return join(all, ", ");
     }
 
     std::string label(size_t row) const { return point_label(rows_[row], row, style_); }
@@ -134,13 +136,13 @@ private:
     std::string names_at_ends() const {
         std::vector<size_t> order = places_;
         std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return end_of(a) > end_of(b); });
-        const double high = std::min(1.25 * style_.names / (style_.size.y - 120.0), 1.0 / double(order.size()));
+        const double high = std::min(1.25 * style_.names / plot_size().y, 1.0 / double(order.size()));
         std::vector<double> at;
         for (const size_t row : order)
             at.push_back(at.empty() ? std::min(end_of(row), 1.0) : std::min(end_of(row), at.back() - high));
         // If the last ones are below the axis, they push the ones above them up.
         for (size_t i = at.size(), lowest = 0; i-- > 0; ++lowest) at[i] = std::max(at[i], double(lowest) * high);
-        std::string text = fmt::format("set rmargin at screen {:.3f}\n", 1 - (names_width() + 16) / style_.size.x);
+        std::string text;
         for (size_t i = 0; i < order.size(); ++i) {
             const Look look = look_of(order[i]);
             text += fmt::format(
@@ -150,16 +152,6 @@ private:
                 rows_[order[i]].sweep->places.back().hardness, end_of(order[i]), at[i], look.color);
         }
         return text;
-    }
-
-    /// Returns a legend below the axis: of a single panel in the room of legend_height(), else in that of `below`.
-    std::string legend() const {
-        const std::string at = style_.legend == 0 ? "graph 0.5,graph -0.26 center"
-                                                  : fmt::format("screen 0.04,screen {:.3f} left reverse Left",
-                                                                (style_.legend - 4.0) / style_.size.y);
-        const int columns = legend_columns(style_);
-        const std::string how = columns == 1 ? "vertical maxrows 99" : fmt::format("horizontal maxcols {}", columns);
-        return fmt::format("set key at {} top {} samplen 3 spacing 1 font ',{}' noenhanced\n", at, how, style_.names);
     }
 
     /// Returns the name of the swept quantity, without its explanation in parentheses if there is no room for it.
@@ -194,7 +186,7 @@ private:
     void curve(size_t row, std::string& text, std::vector<std::string>& plots) const {
         const BenchRow& of = rows_[row];
         const std::string name = short_name(of);
-        const std::string block = fmt::format("$curve{}_{}", number_, row);
+        const std::string block = fmt::format("$curve_{}", row);
         text += block + " << END\n";
         for (const Place& place : of.sweep->places) {
             const double y = is_lost(place) ? ceiling_ : std::clamp(place.error, floor_, ceiling_);
@@ -214,8 +206,7 @@ private:
     }
 
     std::span<const BenchRow> rows_;
-    size_t number_;
-    PanelStyle style_;
+    PlotStyle style_;
     std::vector<size_t> places_;
     double left_ = 1e300, right_ = 0, floor_ = 1, ceiling_ = 1;
     bool any_zero_ = false, any_lost_ = false;
@@ -260,28 +251,8 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
     return join(parts, ", ") + (sweep.why.empty() ? "." : ". " + sweep.why);
 }
 
-std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, PanelStyle& style) {
-    if (!style.direct_names) {
-        const int columns = legend_columns(style), lines = (int(scene.size()) + columns - 1) / columns;
-        style.legend = int(1.3 * style.names * lines) + 12;
-        style.size.y += style.legend;
-    }
-    const std::string panel = Panel(rows, scene, 0, style).script();
-    if (panel.empty() || style.direct_names) return panel;
-    return fmt::format("set bmargin at screen {:.3f}\n", (style.legend + 4.2 * style.axes) / style.size.y) + panel;
-}
-
-std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
-    const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
-    const PanelStyle style{.size = {480, 450}, .axes = 10};
-    std::vector<std::string> panels;
-    for (const std::vector<size_t>& scene : scenes)
-        if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
-            panels.push_back(std::move(panel));
-    if (panels.empty()) return {};
-    const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer;
-    return gnuplot_panels(topic.name + ", " + by + (machine.is_quick ? ", quick run" : ""), panels,
-                          {.size = style.size, .below = 165, .least_columns = 1, .most_columns = 3});
+std::string sweep_script(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PlotStyle& style) {
+    return SweepPlot(rows, scene, style).script();
 }
 
 }  // namespace relief::measure

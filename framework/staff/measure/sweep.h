@@ -25,10 +25,8 @@ BenchSubject swept(BenchSweep sweep, const std::string& unit);
 /// the error.
 std::string verdict_of(const BenchSweep& sweep, const std::string& unit);
 
-/// Return a gnuplot script of one panel, or of a panel for each scene: error over hardness on log axes, peers in blue.
-/// Results that are not finite or do not end lie on a line above all others, zeros on a line below. Empty if no row has
-/// a sweep. A panel without direct names adds the height of its legend to `style`.
-std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, PanelStyle& style);
-std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine);
+/// Returns a gnuplot script: error over hardness on log axes, peers in blue, each curve named at its end. Results that
+/// are not finite or do not end lie on a line above all others, zeros on a line below. Empty if no row has a sweep.
+std::string sweep_script(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PlotStyle& style);
 
 }  // namespace relief::measure

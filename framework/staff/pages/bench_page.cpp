@@ -31,6 +31,12 @@ std::string spaced(std::string name) {
     return name;
 }
 
+/// Returns a text that begins with a capital letter.
+std::string sentence(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// A column of a table, other than the first two and the pictures.
 struct Column {
     std::string heading;
@@ -91,7 +97,7 @@ public:
         const size_t count = scenes.size();
         return {{"name", topic.name},
                 {"label", spaced(topic.name)},
-                {"help", topic.help},
+                {"help", sentence(topic.help)},
                 {"question", topic.question},
                 {"answer", measure::answer_of(result_.rows, chief)},
                 {"chief_scene", chief.empty() ? "" : measure::knob_text(result_.rows[chief.front()].scene)},
@@ -115,8 +121,10 @@ private:
         if (number >= result_.scenes.size() || result_.scenes[number].broad.empty()) return {};
         List key;
         for (const size_t row : measure::numbered_rows(*result_.topic, result_.rows, scene))
-            key.push_back(Fields{{"name", result_.rows[row].method + " " + measure::knob_text(result_.rows[row].knobs)},
-                                 {"kind", result_.rows[row].peer ? "peer" : ""}});
+            key.push_back(Fields{{"name", measure::short_name(result_.rows[row])},
+                                 {"kind", result_.rows[row].peer  ? "peer"
+                                          : result_.topic->sweeps ? ""
+                                                                  : "front"}});
         return Fields{{"broad", drawing(result_.scenes[number].broad)},
                       {"narrow", drawing(result_.scenes[number].narrow)},
                       {"key", rows(std::move(key))}};
@@ -278,31 +286,23 @@ std::vector<Section> sections_of(const std::string& page) {
 }  // namespace
 
 bool draw_plots(TopicResult& result) {
-    const auto all = measure::bench_plot(*result.topic, result.rows, result.machine);
-    if (!all) return false;
-    result.plot = *all;
+    const auto slide = measure::slide_plot(*result.topic, result.rows, result.machine.is_quick);
+    if (!slide) return false;
+    result.plot = *slide;
     if (result.plot.empty()) return true;
-    const std::string note = result.machine.is_quick ? "quick run" : "";
     for (const std::vector<size_t>& scene : measure::scenes_of(result.rows)) {
-        const auto draw = [&](const measure::PanelStyle& style, const char* kind) {
+        const auto draw = [&](const measure::PlotStyle& style, const char* kind) {
             return measure::scene_plot(*result.topic, result.rows, scene, style,
                                        fmt::format("{}-{}{}", result.topic->name, result.scenes.size(), kind));
         };
-        // Wide plots are shown at 0.8 of their size or larger, narrow ones at 0.95 or larger.
-        const auto broad = draw({.size = {1100, 600},
-                                 .title = 18,
-                                 .axes = 18,
-                                 .names = 18,
-                                 .all_names = true,
-                                 .direct_names = true,
-                                 .note = note},
-                                "-broad"),
+        // Wide plots are shown at 0.8 of their size or larger, narrow ones at 0.95 or larger. The page says what they
+        // show.
+        const auto broad =
+                       draw({.size = {1100, 560}, .title = 0, .axes = 18, .names = 18, .all_names = true}, "-broad"),
                    narrow = draw({.size = {324, 400},
-                                  .title = 15,
+                                  .title = 0,
                                   .axes = 15,
                                   .names = 15,
-                                  .direct_names = true,
-                                  .note = note,
                                   .numbered = measure::numbered_rows(*result.topic, result.rows, scene)},
                                  "-narrow");
         result.scenes.push_back({broad.value_or(""), narrow.value_or("")});

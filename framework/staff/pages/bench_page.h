@@ -15,7 +15,7 @@ struct TopicResult {
     const measure::BenchTopic* topic = nullptr;
     std::vector<measure::BenchRow> rows;
     measure::BenchMachine machine;
-    std::string plot;  ///< all scenes, for a file, as SVG; empty without gnuplot
+    std::string plot;  ///< for a slide, as SVG; empty without gnuplot
     /// The plots of a scene for wide and for narrow screens.
     struct ScenePlot {
         std::string broad, narrow;

@@ -73,8 +73,8 @@ TEST(SweepScene, IsMeasuredInAProcessWithoutTimesAndWrittenWithItsPlaces) {
     EXPECT_TRUE(contains(table, "off by more than 0.5 degrees at 10, not finite from 100 on. Why.")) << table;
     EXPECT_EQ(row_name(read_bench_csv(csv)[1]), row_name(rows[1]));
 
-    const std::string script = sweep_script(topic, rows, machine);
-    EXPECT_TRUE(contains(script, "title \"needles\"") && contains(script, "set logscale xy")) << script;
+    const std::string script = sweep_script(rows, {0, 1}, {.size = {740, 536}, .title = 24, .axes = 24, .names = 24});
+    EXPECT_TRUE(contains(script, "set title \"needles\"") && contains(script, "set logscale xy")) << script;
     EXPECT_TRUE(contains(script, "#0 one at 100: 100 % not finite")) << script;
     EXPECT_TRUE(contains(script, "'none'")) << script;
 }
