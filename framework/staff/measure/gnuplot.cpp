@@ -72,7 +72,7 @@ std::string gnuplot_text(const std::string& text) {
 
 std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& commands) {
     return fmt::format(
-        "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,{2}' background '#ffffff'\n"
+        "set encoding utf8\nset terminal svg size {0},{1} dynamic font 'DejaVu Sans,{2}' background '#ffffff'\n"
         "set lmargin at screen {3:.4f}\nset rmargin at screen {4:.4f}\n"
         "set tmargin at screen {5:.4f}\nset bmargin at screen {6:.4f}\n{7}",
         style.size.x, style.size.y, style.axes, margins.left / style.size.x, 1 - margins.right / style.size.x,

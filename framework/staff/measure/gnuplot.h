@@ -18,7 +18,7 @@ struct PlotStyle {
     glm::ivec2 size;
     int title, axes, names;             ///< title 0: the plot has none
     bool all_names = false;             ///< also name the pale points
-    std::string note = {};              ///< after the title, such as "quick run"
+    std::string note = {};              ///< after the title, or without one below the plot: "quick run"
     std::vector<size_t> numbered = {};  ///< rows whose names are their places in this list, from 1 on
 };
 

@@ -42,7 +42,7 @@ public:
                      letters = has_errors_ ? double(longest_decade(span().floor, span().ceiling)) : 0;
         margins_ = {.left = has_errors_ ? (0.7 * letters + 2.8) * axes : axes,
                     .right = 1.4 * axes,
-                    .top = style.title > 0 ? 2.2 * style.title : 0.8 * axes,
+                    .top = style.title > 0 ? 2.8 * style.title : 0.8 * axes,
                     .bottom = 4.7 * axes};
     }
 
@@ -61,6 +61,7 @@ public:
         const bool any_wide =
             std::any_of(timed_.begin(), timed_.end(), [&](size_t place) { return rows_[place].is_wide(); });
         std::string below = fmt::format("{} per {}", unit_, first.item);
+        if (style_.title == 0 && !style_.note.empty()) below += ", " + style_.note;
         constexpr const char* note = "; hollow: p90 over twice p10";  // the page says so, too
         if (any_wide && 0.62 * style_.axes * double(below.size() + std::string_view(note).size()) < plot_size().x)
             below += note;
@@ -458,7 +459,7 @@ std::vector<size_t> numbered_rows(const BenchTopic& topic, std::span<const Bench
 
 std::optional<std::string> slide_plot(const BenchTopic& topic, std::span<const BenchRow> rows, bool is_quick) {
     const std::vector<size_t> scene = chief_scene(rows);
-    const PlotStyle style{.size = topic.sweeps ? glm::ivec2(740, 536) : glm::ivec2(1136, 450),
+    const PlotStyle style{.size = topic.sweeps ? glm::ivec2(740, 536) : glm::ivec2(1136, 460),
                           .title = 24,
                           .axes = 24,
                           .names = 24,

@@ -101,7 +101,7 @@ private:
         const double axes = style_.axes, letters = double(std::max<size_t>(longest_decade(floor_, ceiling_), 4));
         return {.left = (0.7 * letters + 2.8) * axes,
                 .right = names_width() + 16,
-                .top = style_.title > 0 ? 2.2 * style_.title : 0.8 * axes,
+                .top = style_.title > 0 ? 2.8 * style_.title : 0.8 * axes,
                 .bottom = 4.7 * axes};
     }
     glm::dvec2 plot_size() const {
@@ -157,7 +157,9 @@ private:
     /// Returns the name of the swept quantity, without its explanation in parentheses if there is no room for it.
     std::string hardness() const {
         const std::string& item = rows_[places_.front()].item;
-        return 0.6 * style_.axes * double(item.size()) < style_.size.x - 60 ? item : item.substr(0, item.find(" ("));
+        const std::string shown =
+            0.6 * style_.axes * double(item.size()) < style_.size.x - 60 ? item : item.substr(0, item.find(" ("));
+        return style_.title == 0 && !style_.note.empty() ? shown + ", " + style_.note : shown;
     }
 
     Look look_of(size_t row) const {

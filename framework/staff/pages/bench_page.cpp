@@ -290,6 +290,7 @@ bool draw_plots(TopicResult& result) {
     if (!slide) return false;
     result.plot = *slide;
     if (result.plot.empty()) return true;
+    const std::string note = result.machine.is_quick ? "quick run" : "";
     for (const std::vector<size_t>& scene : measure::scenes_of(result.rows)) {
         const auto draw = [&](const measure::PlotStyle& style, const char* kind) {
             return measure::scene_plot(*result.topic, result.rows, scene, style,
@@ -298,11 +299,13 @@ bool draw_plots(TopicResult& result) {
         // Wide plots are shown at 0.8 of their size or larger, narrow ones at 0.95 or larger. The page says what they
         // show.
         const auto broad =
-                       draw({.size = {1100, 560}, .title = 0, .axes = 18, .names = 18, .all_names = true}, "-broad"),
+                       draw({.size = {1100, 560}, .title = 0, .axes = 18, .names = 18, .all_names = true, .note = note},
+                            "-broad"),
                    narrow = draw({.size = {324, 400},
                                   .title = 0,
                                   .axes = 15,
                                   .names = 15,
+                                  .note = note,
                                   .numbered = measure::numbered_rows(*result.topic, result.rows, scene)},
                                  "-narrow");
         result.scenes.push_back({broad.value_or(""), narrow.value_or("")});

@@ -211,6 +211,21 @@ TEST(BenchPlot, LabelsEveryPoint) {
     EXPECT_FALSE(contains(*plot, "<title>Gnuplot")) << "a screen reader would say so";
 }
 
+TEST(BenchPlot, NamesItsAxesAtAnySizeAndForAnyErrors) {
+    for (const double error : {1e-9, 1e-4, 0.01, 1e5})
+        for (const PlotStyle& style : {PlotStyle{.size = {1136, 460}, .title = 24, .axes = 24, .names = 24},
+                                       PlotStyle{.size = {1100, 560}, .title = 0, .axes = 18, .names = 18},
+                                       PlotStyle{.size = {324, 400}, .title = 0, .axes = 15, .names = 15}}) {
+            auto rows = timed_rows();
+            rows[1].error.mean = error;
+            const auto plot = scene_plot({"parallax", "help", "question?", {}}, rows, {0, 1, 2, 3}, style, "name");
+            ASSERT_TRUE(plot);
+            EXPECT_TRUE(contains(*plot, "mean error, ")) << error << ", " << style.axes;
+            EXPECT_TRUE(contains(*plot, "ms per ")) << error << ", " << style.axes;
+            EXPECT_EQ(contains(*plot, ">map=bricks"), style.title > 0) << error << ", " << style.axes;
+        }
+}
+
 TEST(BenchPlot, OfSeveralScenesIsThatWithMostToCompareAndNamesAQuickRun) {
     std::vector<BenchRow> rows = timed_rows();
     for (BenchRow row : timed_rows()) rows.push_back(row), rows.back().scene = {{"map", "posts"}};
