@@ -28,8 +28,8 @@ fs::path font_file(const char* name) {
 
 // Characters of handouts besides Latin: Greek, dashes and quotes, small digits, arrows, mathematics, tree lines,
 // shapes, ticks. Pairs of first and last.
-constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x205f, 0x2070,
-                                  0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
+constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x1d40, 0x1d40, 0x1d50, 0x1d50, 0x2010,
+                                  0x205f, 0x2070, 0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
                                   0x2500, 0x257f, 0x25a0, 0x25ff, 0x2713, 0x2717, 0};
 
 // Characters of formulas (framework/course/pages/formula.h) and of the words in them.
