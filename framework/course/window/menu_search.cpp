@@ -29,6 +29,16 @@ std::string plain_words(std::string text) {
     return text;
 }
 
+/// Returns as much of a text as fits into a width in pixels; an ellipsis stands for the rest.
+std::string beginning_of(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    constexpr const char* rest = "\u2026";
+    const char* end = text.c_str();
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(0.0f, width - ImGui::CalcTextSize(rest).x), 0,
+                                    text.c_str(), nullptr, &end);
+    return text.substr(0, size_t(end - text.c_str())) + rest;
+}
+
 }  // namespace
 
 void Search::add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
@@ -171,7 +181,7 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
             ImGui::TextColored(accent, "%s", one.place.c_str());
             ImGui::SameLine();
         }
-        ImGui::TextColored(quiet, "%s", one.note.c_str());
+        ImGui::TextColored(quiet, "%s", beginning_of(one.note, ImGui::GetContentRegionAvail().x).c_str());
         ImGui::PopID();
     }
     if (found.size() > most) quiet_text("and " + std::to_string(found.size() - most) + " more");
