@@ -23,8 +23,13 @@ namespace fs = std::filesystem;
 
 PagePicture drawing_of(const std::string& svg, const fs::path& file) {
     try {
-        const glm::ivec2 size = svg_size(svg);
-        return {.width = size.x, .height = size.y, .is_drawing = true, .moving = is_moving_drawing(svg) ? svg : ""};
+        // All drawings have one scale, so that their letters have one size. A file's drawing has a frame around it.
+        constexpr double scale = 0.72, frame = 30;
+        const glm::dvec2 size = scale * glm::dvec2(svg_size(svg));
+        std::string moving;
+        if (is_moving_drawing(svg))
+            moving = fmt::format("<svg width=\"{:.0f}\"", size.x) + svg.substr(svg.find("<svg") + 4);
+        return {.width = int(size.x + frame), .height = int(size.y + frame), .is_drawing = true, .moving = moving};
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }

@@ -145,7 +145,7 @@ struct ErrorMap::Work {
             if (auto* const to = dynamic_cast<Paintable*>(lab.get()); to && !paint.values.empty())
                 to->paint_layer().set(std::move(paint));
             while (!cancelled && !exact && !probes.empty()) {
-                frame.probe = {probes.front().name};
+                frame.probe = {probes.front().name, MissingTask::told};
                 exact = lab->truth(frame);
                 if (!exact) probes.erase(probes.begin());
             }
@@ -255,7 +255,8 @@ std::vector<Box> ErrorMap::draw(const Box& box, bool moves) const {
                          .place = tile.place,
                          .size = tile.size,
                          .text = amount_of(tile.mean, compared_->probe.unit),
-                         .line = -1});
+                         .line = tile.foot > 0 ? 0 : -1,
+                         .foot = tile.foot});
     return draw_words(std::move(means), box, 0, box.size.x + 1);
 }
 
@@ -285,8 +286,9 @@ void ErrorMap::draw_legend(const Box& box, const std::string& probe) const {
 
 void ErrorMap::draw_notes() const {
     if (error_.count > 0)
-        wrapped(fmt::format("{}mean {}, 99 % {}, largest {}", tiles_.empty() ? "" : "in all: ", rounded(error_.mean),
-                            rounded(error_.p99), amount_of(error_.largest, compared_->probe.unit)));
+        wrapped(fmt::format("error{}: mean {}, 99 % below {}, largest {}", tiles_.empty() ? "" : " in all",
+                            rounded(error_.mean), rounded(error_.p99),
+                            amount_of(error_.largest, compared_->probe.unit)));
     if (one_sided_ > 0)
         quiet_text(fmt::format("{} pixels, in the lightest colour: a surface in only one of the two", one_sided_));
     if (error_.missing > 0)

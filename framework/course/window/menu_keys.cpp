@@ -19,7 +19,7 @@ std::optional<MenuAction> closing(const OpenParts& open) {
         {open.part, LabAction::leave_parts},       {open.explanation, LabAction::close_explanation},
         {open.check, LabAction::close_check},      {open.brush, LabAction::toggle_brush},
         {open.wipe, LabAction::toggle_wipe},       {open.motion, LabAction::stop_motion},
-        {open.handout, LabAction::toggle_handout}};
+        {open.handout, LabAction::toggle_handout}, {open.presents, LabAction::toggle_panel}};
     for (const auto& [is_open, action] : parts)
         if (is_open) return action;
     return {};

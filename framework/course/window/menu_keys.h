@@ -13,6 +13,7 @@ struct OpenParts {
     bool part = false;    ///< a part of the window has the keys: arrows, space and the like move through it
     bool active = false;  ///< a slider or a field is being changed
     bool explanation = false, check = false, brush = false, wipe = false, motion = false, handout = false;
+    bool presents = false;  ///< the picture alone
 };
 
 /// Adds the action of a pressed or repeated key to the wish; nothing for a key without an action.

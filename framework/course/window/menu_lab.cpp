@@ -42,6 +42,15 @@ std::string open_in_editor(const Place& place) {
     return message;
 }
 
+/// Returns whether no task of the lab is written yet; false until all checks have run.
+bool is_untouched(const Checks& checks) {
+    const auto& tasks = checks.manifest().tasks;
+    return !tasks.empty() && std::all_of(tasks.begin(), tasks.end(), [&](const TaskInfo& task) {
+        const std::optional<check::Outcome> worst = checks.worst(task);
+        return worst == check::Outcome::unfinished || worst == check::Outcome::waiting;
+    });
+}
+
 }  // namespace
 
 double Clock::advance(double now) {
@@ -150,6 +159,7 @@ void LabView::add_open_parts(OpenParts& open) const {
     open.wipe = wipe_.on();
     open.motion = motion_.is_on();
     open.handout = handout_.is_open();
+    open.presents = is_panel_hidden_;
 }
 
 void LabView::act(const MenuWish& wish) {
@@ -298,7 +308,7 @@ void LabView::draw_parts(const Layout& layout, float scale, MenuWish& wish) {
         brush_.draw_ring(stage_, picture_.at, pixel_under_mouse());
     check_view_.draw(picture_, scale, checks_, wish);
     explanation_.draw(picture_, scale);
-    if (!check_view_.is_open()) error_box_.draw(picture_, scale, stage_, wish);
+    error_box_.draw(picture_, scale, stage_, wish);
     draw_part_frame(layout, scale);
 }
 
@@ -321,7 +331,13 @@ int LabView::draw_picture(glm::ivec2 room, float scale) {
     const Box picture{picture_.at, room};
     const int held = wipe_.shown_columns(room.x);
     if (held > 0) draw_words(wipe_.words(), picture, 0, held);
-    if (stage_.framebuffer()) draw_words(stage_.words(), picture, held, room.x + 1);
+    if (stage_.framebuffer()) {
+        std::vector<PictureWord> words = stage_.words();
+        if (is_untouched(checks_))
+            words.push_back({.kind = PictureWord::Kind::note,
+                             .text = "Magenta: what a task computes that is not written yet. F1 opens the handout."});
+        draw_words(std::move(words), picture, held, room.x + 1);
+    }
     wipe_.draw_border(picture, scale, stage_);
     const std::vector<Box> means = error_map_.draw({{picture.right(), picture.at.y}, room}, moves());
     pixel_.draw(stage_, error_map_, picture.at, room, means);

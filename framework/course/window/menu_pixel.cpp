@@ -52,7 +52,7 @@ glm::ivec2 size_of_rows(const std::string& title, const std::vector<PixelRow>& r
         wide = std::max(wide, width_of_names() + ImGui::CalcTextSize(row.numbers.c_str()).x);
     const ImGuiStyle& style = ImGui::GetStyle();
     return glm::ivec2(
-        std::ceil(wide + 2 * style.WindowPadding.x),
+        std::ceil(wide + 2 * style.WindowPadding.x) + 1,
         std::ceil(float(rows.size() + 1) * ImGui::GetTextLineHeightWithSpacing() + 2 * style.WindowPadding.y));
 }
 
@@ -90,7 +90,8 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corne
     if (!values || values->width != size.x || values->height != size.y) return;
     const ImGuiIO& io = ImGui::GetIO();
     glm::ivec2 mouse = glm::ivec2(int(io.MousePos.x), int(io.MousePos.y)) - corner;
-    if (map.on() && mouse.x >= size.x) mouse.x -= size.x;
+    const glm::ivec2 half{map.on() && mouse.x >= size.x ? size.x : 0, 0};  // the one under the mouse
+    mouse -= half;
     const bool is_over = !io.WantCaptureMouse && mouse.x >= 0 && mouse.y >= 0 && mouse.x < size.x && mouse.y < size.y;
     const float dragged = std::sqrt(io.MouseDragMaxDistanceSqr[0]);
     const bool is_new = is_over && !held_ && ImGui::IsMouseReleased(0) && dragged < 3;
@@ -107,12 +108,14 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corne
     const ProbeInfo& probe = compared ? compared->probe : stage.manifest().probe(stage.probe().name);
     const std::string title = fmt::format("{} at {}, {}{}", probe.name, pixel.x, pixel.y, held_ ? ", held" : "");
     const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
-    const glm::ivec2 at = beside(corner + pixel, size_of_rows(title, rows),
-                                 {{0, 0}, {int(io.DisplaySize.x), int(io.DisplaySize.y)}}, words);
+    const glm::ivec2 shown = corner + pixel + (held_ ? glm::ivec2(0) : half);
+    const glm::ivec2 extent = size_of_rows(title, rows);
+    const glm::ivec2 at = beside(shown, extent, {corner, {size.x * (1 + int(map.on())), size.y}}, words);
     ImGui::SetNextWindowPos({float(at.x), float(at.y)});
+    ImGui::SetNextWindowSize({float(extent.x), float(extent.y)});
     ImGui::Begin("pixel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     quiet_text(title);
     draw_rows(rows);
     ImGui::End();

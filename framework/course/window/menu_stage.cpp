@@ -135,7 +135,8 @@ bool Stage::look() {
 }
 
 ShaderState Stage::shaders() const {
-    return error() ? ShaderState::failed : renewed_ ? ShaderState::renewed : ShaderState::unchanged;
+    const bool is_cpp = error() && error()->place().file.extension() == ".cpp";  // a task that throws
+    return error() && !is_cpp ? ShaderState::failed : renewed_ ? ShaderState::renewed : ShaderState::unchanged;
 }
 
 const Error* Stage::error() const { return failure_ ? &*failure_ : shader_failure_ ? &*shader_failure_ : nullptr; }

@@ -171,7 +171,9 @@ void StartPage::draw_card(size_t index, ImVec2 size, float scale, MenuWish& wish
     ImGui::PushID(int(index));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton("card", size)) wish.lab = card.lab;
-    if (ImGui::IsItemHovered()) marked_ = index;
+    // A mouse that rests leaves the mark to the keys.
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (ImGui::IsItemHovered() && (moved.x != 0 || moved.y != 0)) marked_ = index;
     const bool is_marked = index == marked_;
     if (is_marked && std::exchange(seek_, false)) ImGui::SetScrollHereY();
     ImDrawList& list = *ImGui::GetWindowDrawList();

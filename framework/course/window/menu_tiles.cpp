@@ -27,7 +27,7 @@ std::vector<TileMean> tile_means(const std::vector<PictureWord>& words, const Im
             for (int x = column(word.place.x); x < column(word.place.x + word.size.x); ++x)
                 if (const float value = error.pixel(x, y)[0]; std::isfinite(value) && value != not_written)
                     sum += double(value), ++count;
-        if (count > 0) means.push_back({word.place, word.size, sum / count});
+        if (count > 0) means.push_back({word.place, word.size, word.foot, sum / count});
     }
     return seen.size() > 1 ? means : std::vector<TileMean>();
 }

@@ -14,6 +14,7 @@ namespace relief::window {
 /// Place and size in shares of the picture's size, from its upper left corner.
 struct TileMean {
     glm::vec2 place{0}, size{0};
+    float foot = 0;  ///< as of its captions
     double mean = 0;
 };
 
