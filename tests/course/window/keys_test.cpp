@@ -19,12 +19,17 @@ TEST(Keys, EscapeClosesTheUppermostPart) {
     OpenParts open;
     EXPECT_EQ(escape(open), Actions()) << "it does not end the window";
     // From the lowest part to the uppermost.
-    const std::pair<bool OpenParts::*, MenuAction> parts[] = {
-        {&OpenParts::handout, LabAction::toggle_handout}, {&OpenParts::motion, LabAction::stop_motion},
-        {&OpenParts::wipe, LabAction::toggle_wipe},       {&OpenParts::brush, LabAction::toggle_brush},
-        {&OpenParts::check, LabAction::close_check},      {&OpenParts::explanation, LabAction::close_explanation},
-        {&OpenParts::labs, WindowAction::close_labs},     {&OpenParts::help, WindowAction::toggle_help},
-        {&OpenParts::list, WindowAction::close_list},     {&OpenParts::search, WindowAction::close_search}};
+    const std::pair<bool OpenParts::*, MenuAction> parts[] = {{&OpenParts::presents, LabAction::toggle_panel},
+                                                              {&OpenParts::handout, LabAction::toggle_handout},
+                                                              {&OpenParts::motion, LabAction::stop_motion},
+                                                              {&OpenParts::wipe, LabAction::toggle_wipe},
+                                                              {&OpenParts::brush, LabAction::toggle_brush},
+                                                              {&OpenParts::check, LabAction::close_check},
+                                                              {&OpenParts::explanation, LabAction::close_explanation},
+                                                              {&OpenParts::labs, WindowAction::close_labs},
+                                                              {&OpenParts::help, WindowAction::toggle_help},
+                                                              {&OpenParts::list, WindowAction::close_list},
+                                                              {&OpenParts::search, WindowAction::close_search}};
     for (const auto& [part, action] : parts) {
         open.*part = true;
         EXPECT_EQ(escape(open), Actions{action});
