@@ -87,6 +87,7 @@ void draw_check(const CheckInfo& check, const std::optional<check::Verdict>& res
         return;
     ImGui::Indent();
     quiet_text(result->found);
+    if (ImGui::IsItemClicked()) wish.check = check.name;
     ImGui::Unindent();
 }
 

@@ -84,15 +84,17 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
                          ? amber
                          : alarm,
                      pages::outcome_words(result->outcome) + ": " + result->found);
-    if (ImGui::Button("yours")) border_ = 1;
-    ImGui::SameLine();
-    if (ImGui::Button("half")) border_ = 0.5f;
-    ImGui::SameLine();
-    if (ImGui::Button("expected")) border_ = 0;
     static constexpr const char* back = "To the picture with these knobs (Esc)";
     const float back_width = ImGui::CalcTextSize(back).x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < back_width) ImGui::NewLine();
+    if (drawn_ && expected_) {
+        if (ImGui::Button("yours")) border_ = 1;
+        ImGui::SameLine();
+        if (ImGui::Button("half")) border_ = 0.5f;
+        ImGui::SameLine();
+        if (ImGui::Button("expected")) border_ = 0;
+        ImGui::SameLine();
+        if (ImGui::GetContentRegionAvail().x < back_width) ImGui::NewLine();
+    }
     if (ImGui::Button(back)) wish.check = "";
     tooltip("The picture has the check's knobs, camera and probe. Ctrl+Z brings back what was before.");
 

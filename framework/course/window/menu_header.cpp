@@ -21,7 +21,8 @@ struct StateSign {
     ImVec4 color;
 };
 
-/// Returns a sign that shows whether the picture uses the shaders in the files.
+/// Returns a sign that shows whether the picture uses the shaders that were saved since the lab was opened; empty
+/// without such.
 StateSign shader_sign(ShaderState state) {
     switch (state) {
         case ShaderState::renewed:
@@ -31,8 +32,7 @@ StateSign shader_sign(ShaderState state) {
         case ShaderState::unchanged:
             break;
     }
-    return {"as opened", "The shaders are those that the lab was opened with. A saved shader is reloaded at once.",
-            quiet};
+    return {"", "", quiet};
 }
 
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
@@ -112,7 +112,7 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const StateSign shaders = shader_sign(stage.shaders());
     const bool narrow = float(box.size.x) < 1000 * scale;
-    const std::string state = fmt::format("{}{}", narrow ? "" : "shaders: ", shaders.sign);
+    const std::string state = *shaders.sign ? fmt::format("{}{}", narrow ? "" : "shaders: ", shaders.sign) : "";
     float right = float(box.size.x) - 14 * scale;
     for (const char* label : {"?", "Search", "Handout"}) right -= button_width(label) + spacing;
     const float state_at = right - ImGui::CalcTextSize(state.c_str()).x - spacing;
@@ -123,7 +123,7 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     ImGui::SameLine(state_at);
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(shaders.color, "%s", state.c_str());
-    tooltip(shaders.help);
+    if (!state.empty()) tooltip(shaders.help);
     ImGui::SameLine(right + spacing / 2);
     if (ImGui::Button("Handout")) wish.ask(LabAction::toggle_handout);
     tooltip("The lab's handout, beside the picture (F1).");
