@@ -55,9 +55,9 @@ void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& che
             if (!stage.lab()) return;
             const bool paints = brush.is_on();  // its settings are then at hand
             if (paints) brush.draw(stage, wish);
-            draw_knobs(stage, motion, seek_);
+            draw_probes(stage, error_map, wish);  // above the knobs, which may be more than the panel holds
             ImGui::Dummy({0, 6});
-            draw_probes(stage, error_map, wish);
+            draw_knobs(stage, motion, seek_);
             ImGui::Dummy({0, 6});
             if (!paints) brush.draw(stage, wish);
             if (dynamic_cast<MapMaker*>(stage.lab())) {

@@ -185,7 +185,7 @@ protected:
     /// Clicks on sliders until one changes. They stand one below the other; the exact positions depend on the panel.
     void turn_a_knob() {
         const size_t frames_before = frames().size();
-        for (int y = 90; y < 300 && frames().size() == frames_before; y += 8) {
+        for (int y = 195; y < 390 && frames().size() == frames_before; y += 8) {
             run({"xdotool", "mousemove", "270", std::to_string(y)}, where_);
             std::this_thread::sleep_for(100ms);
             run({"xdotool", "mousedown", "1"}, where_);
@@ -398,7 +398,7 @@ TEST_F(Window, ASliderRunsAfterARightClickUntilEscape) {
     const size_t still = frames().size();
     // The sliders stand one below the other; the exact places depend on the panel. A second click would stop the
     // slider.
-    for (int y = 90; y < 300 && frames().size() == still; y += 8) {
+    for (int y = 195; y < 390 && frames().size() == still; y += 8) {
         run({"xdotool", "mousemove", "270", std::to_string(y), "click", "3"}, where_);
         std::this_thread::sleep_for(300ms);
     }
@@ -734,9 +734,9 @@ TEST_F(Window, KeysReachTheKnobsAfterF6AndAreTheLabsAgainAfterEscape) {
     const size_t still = frames().size();
     press("F6");
     EXPECT_TRUE(eventually([&] { return count("keys: panel") == 1; })) << window_->err();
-    // Past the names of the pages to the first knob, a slider. Space takes it, an arrow changes it, and a second space
-    // lets go of it.
-    for (const char* key : {"Down", "Down", "space", "Right", "space"}) hold(key);
+    // Past the names of the pages and the probes to the first knob, a slider. Space takes it, an arrow changes it, and
+    // a second space lets go of it.
+    for (const char* key : {"Down", "Down", "Down", "Down", "Down", "space", "Right", "space"}) hold(key);
     EXPECT_TRUE(eventually([&] { return frames().size() > still; })) << window_->err();
     EXPECT_EQ(frames().back().lab, "20_test_wall") << "the arrows open no other lab";
     press("Escape");
