@@ -253,7 +253,7 @@ constexpr const char* faint_texts_script = R"js((() => {
   return texts > 10 ? [...found] : ["there is no text"];
 })())js";
 
-/// Texts of different elements whose letters cover one another, as far as they are visible.
+/// Finds texts of different elements that cover one another where both are visible.
 constexpr const char* covered_texts_script = R"js((() => {
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), lines = [], found = new Set();
   const seen = (box, element) => {
@@ -271,7 +271,7 @@ constexpr const char* covered_texts_script = R"js((() => {
   while (walker.nextNode()) {
     const text = walker.currentNode.textContent.trim(), element = walker.currentNode.parentElement;
     if (!text || !element.checkVisibility({opacityProperty: true, visibilityProperty: true}) ||
-        element.closest("script, style, title, desc, textarea, select, math, .CodeMirror, .cm-editor")) continue;
+        element.closest("script, style, title, desc, textarea, select, math, .cm-editor")) continue;
     const range = document.createRange();
     range.selectNodeContents(walker.currentNode);
     for (const box of range.getClientRects()) {

@@ -108,6 +108,11 @@ std::string rounded(double number, int digits) {
     return text;
 }
 
+std::string capitalized(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    return text;
+}
+
 std::string plain(double number) { return rounded(number, 6); }
 
 std::vector<std::string> aligned_at_points(std::vector<std::string> cells, size_t width) {

@@ -28,6 +28,9 @@ std::string escaped_markup(std::string_view text);
 /// Quotes a word for a shell's command line, in single quotes.
 std::string quoted_for_shell(std::string_view word);
 
+/// Returns the text with a capital letter at its start, if it begins with a letter of ASCII.
+std::string capitalized(std::string text);
+
 /// Formats a number for people, to `digits` digits: "0.00012", "1235". Digits before the point are never rounded away.
 /// There is no exponent from 1e-6 to 1e12.
 std::string rounded(double number, int digits = 3);

@@ -71,16 +71,11 @@ std::string replace_all(std::string text, const std::string& from, const std::st
 
 std::string class_name(const std::string& name) {
     std::string result;
-    for (const std::string& word : split(name, '_'))
-        if (!word.empty()) result += char(std::toupper(static_cast<unsigned char>(word[0]))) + word.substr(1);
+    for (const std::string& word : split(name, '_')) result += capitalized(word);
     return result;
 }
 
-std::string title(const std::string& name) {
-    std::string result = replace_all(name, "_", " ");
-    result[0] = char(std::toupper(static_cast<unsigned char>(result[0])));
-    return result;
-}
+std::string title(const std::string& name) { return capitalized(replace_all(name, "_", " ")); }
 
 int make_new_lab(const std::string& text) {
     const NewName name = parse_name(text);

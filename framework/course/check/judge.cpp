@@ -123,12 +123,6 @@ void keep_best(Sets& sets, const std::function<bool(const std::string&)>& is_bet
     sets = std::move(best);
 }
 
-/// Returns the text with a capital letter at its start.
-std::string as_begin(std::string text) {
-    if (!text.empty()) text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
-    return text;
-}
-
 std::string as_sentence(const std::string& text) {
     return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
 }
@@ -181,17 +175,17 @@ void tell(const Manifest& manifest, std::vector<Verdict>& checks, const std::vec
         } else if (said.outcome != Outcome::wrong) {
             said.look_at.clear();
         } else if (!causes[i].together.empty()) {
-            const std::string measured = said.look_at.empty() ? "" : as_begin(said.look_at);
+            const std::string measured = said.look_at.empty() ? "" : capitalized(said.look_at);
             said.look_at =
                 fmt::format("{} is wrong, or several of these: no check tells which",
-                            as_begin("task " + fmt::format("{}", fmt::join(causes[i].together, " or task "))));
-            for (const std::string& more : {measured, as_begin(said.relation)})
+                            capitalized("task " + fmt::format("{}", fmt::join(causes[i].together, " or task "))));
+            for (const std::string& more : {measured, capitalized(said.relation)})
                 if (!more.empty()) said.look_at = as_sentence(said.look_at) + more;
         } else if (named.contains(check.task)) {
-            said.look_at = as_begin(said.relation);  // the task's hint tells the rest
+            said.look_at = capitalized(said.relation);  // the task's hint tells the rest
         } else {
             const bool is_first = hinted.insert(check.task).second;
-            said.look_at = is_first || !said.look_at.empty() ? hint_of(check, said) : as_begin(said.relation);
+            said.look_at = is_first || !said.look_at.empty() ? hint_of(check, said) : capitalized(said.relation);
         }
     }
 }
@@ -348,7 +342,7 @@ std::string hint_of(const CheckInfo& check, const Verdict& said) {
     std::string hint = said.look_at;
     if (hint.empty() && !check.look_at.empty()) hint = "a usual cause lies here: " + check.look_at;
     if (said.relation.empty()) return hint;
-    return hint.empty() ? as_begin(said.relation) : as_sentence(hint) + as_begin(said.relation);
+    return hint.empty() ? capitalized(said.relation) : as_sentence(hint) + capitalized(said.relation);
 }
 
 }  // namespace relief::check

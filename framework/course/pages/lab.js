@@ -2,7 +2,7 @@
 const stage = document.querySelector(".stage");
 if (stage) {
   const methods = [...document.querySelectorAll(".methods figure")], [left, right] = stage.querySelectorAll("select");
-  const map = stage.querySelector("[value=map]"), scale = stage.querySelector(".scale");
+  const map = stage.querySelector("[value=map]"), scale = stage.querySelector(":has(> .scale)");
   const sides = stage.querySelectorAll(".sides span"), under = stage.querySelector("img"), over = under.cloneNode();
   const name = "wipe from the left method to the right", told = value => `${value} % ${left.value}`;
   const {label, slide} = wipe(under, over, "wipe", name, 50, told);

@@ -91,8 +91,8 @@ void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWis
         for (const std::string& message : folded_) wrapped(message);
         ImGui::TreePop();
     }
-    const bool is_cpp = error->place().file.extension() == ".cpp";
-    quiet_text(is_cpp        ? "Change it, close the window, and start the lab again: that compiles C++."
+    quiet_text(stage.shaders() != ShaderState::failed
+                   ? "Change it, close the window, and start the lab again: that compiles C++."
                : stage.lab() ? "Fix the shader and save it: it reloads at once. After any other change press R."
                              : "Fix it, then press R.");
     if (!error->place().file.empty() && ImGui::Button("Open in the editor (Ctrl+E)")) wish.edit = error->place();

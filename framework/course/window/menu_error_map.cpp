@@ -81,11 +81,6 @@ void draw_log_scale(double max, const std::string& unit) {
                     ImGui::GetContentRegionAvail().x);
 }
 
-std::string sentence(std::string text) {
-    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
-    return text + ".";
-}
-
 bool have_same_contents(const OwnFile& one, const OwnFile& other) {
     const auto same_mesh = [](const Mesh& a, const Mesh& b) {
         return a.indices == b.indices && std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
@@ -149,7 +144,7 @@ struct ErrorMap::Work {
                 exact = lab->truth(frame);
                 if (!exact) probes.erase(probes.begin());
             }
-            if (!cancelled && !exact) failure = sentence(no_truth(entry, settings));
+            if (!cancelled && !exact) failure = capitalized(no_truth(entry, settings)) + ".";
         } catch (const Cancelled&) {
         } catch (const std::exception& error) {  // includes exceptions from a lab: the window stays open
             failure = error.what();
@@ -224,7 +219,7 @@ void ErrorMap::compare(Stage& stage, const Work& work) {
     error_ = summarize(error);
     const std::string nothing = nothing_to_compare(values, exact, error_);
     if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
-        throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
+        throw Error(fmt::format("Probe {}: {}.", probe.name, nothing));
     one_sided_ = one_sided(values, exact).count();
     const double scale = pages::error_map_max(error_.p99);
     Image shown = error;

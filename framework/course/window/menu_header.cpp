@@ -21,18 +21,18 @@ struct StateSign {
     ImVec4 color;
 };
 
-/// Returns a sign that shows whether the picture uses the shaders that were saved since the lab was opened; empty
-/// without such.
-StateSign shader_sign(ShaderState state) {
+/// Returns a sign that shows whether the picture uses the shaders that were saved since the lab was opened; nothing if
+/// none was saved.
+std::optional<StateSign> shader_sign(ShaderState state) {
     switch (state) {
         case ShaderState::renewed:
-            return {"new", "Shaders were saved since the lab was opened, and are on screen.", good};
+            return StateSign{"new", "Shaders were saved since the lab was opened, and are on screen.", good};
         case ShaderState::failed:
-            return {"failed", "The last saved shader has an error; the picture is older.", alarm};
+            return StateSign{"failed", "The last saved shader has an error; the picture is older.", alarm};
         case ShaderState::unchanged:
             break;
     }
-    return {"", "", quiet};
+    return {};
 }
 
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
@@ -110,9 +110,9 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     tooltip("The next lab (right, Page Down).");
 
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const StateSign shaders = shader_sign(stage.shaders());
+    const std::optional<StateSign> shaders = shader_sign(stage.shaders());
     const bool narrow = float(box.size.x) < 1000 * scale;
-    const std::string state = *shaders.sign ? fmt::format("{}{}", narrow ? "" : "shaders: ", shaders.sign) : "";
+    const std::string state = shaders ? fmt::format("{}{}", narrow ? "" : "shaders: ", shaders->sign) : "";
     float right = float(box.size.x) - 14 * scale;
     for (const char* label : {"?", "Search", "Handout"}) right -= button_width(label) + spacing;
     const float state_at = right - ImGui::CalcTextSize(state.c_str()).x - spacing;
@@ -120,10 +120,12 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     ImGui::SameLine(0, 2 * spacing);
     ImGui::AlignTextToFramePadding();
     draw_tasks(checks, state_at - spacing, wish);
-    ImGui::SameLine(state_at);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(shaders.color, "%s", state.c_str());
-    if (!state.empty()) tooltip(shaders.help);
+    if (shaders) {
+        ImGui::SameLine(state_at);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(shaders->color, "%s", state.c_str());
+        tooltip(shaders->help);
+    }
     ImGui::SameLine(right + spacing / 2);
     if (ImGui::Button("Handout")) wish.ask(LabAction::toggle_handout);
     tooltip("The lab's handout, beside the picture (F1).");

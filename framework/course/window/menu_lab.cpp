@@ -335,7 +335,7 @@ int LabView::draw_picture(glm::ivec2 room, float scale) {
         std::vector<PictureWord> words = stage_.words();
         if (is_untouched(checks_))
             words.push_back({.kind = PictureWord::Kind::note,
-                             .text = "Magenta: what a task computes that is not written yet. F1 opens the handout."});
+                             .text = "Magenta: a task that is not written yet. F1 opens the handout."});
         draw_words(std::move(words), picture, held, room.x + 1);
     }
     wipe_.draw_border(picture, scale, stage_);

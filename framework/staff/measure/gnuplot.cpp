@@ -70,13 +70,25 @@ std::string gnuplot_text(const std::string& text) {
     return result + '"';
 }
 
-std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& commands) {
-    return fmt::format(
+PlotMargins plot_margins(const PlotStyle& style, size_t letters, double right) {
+    const double axes = style.axes;
+    return {.left = letters > 0 ? (0.7 * double(letters) + 2.8) * axes : axes,
+            .right = right,
+            .top = style.title > 0 ? 2.8 * style.title : 0.8 * axes,
+            .bottom = 4.7 * axes};
+}
+
+std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& title,
+                           const std::string& commands) {
+    std::string text = fmt::format(
         "set encoding utf8\nset terminal svg size {0},{1} dynamic font 'DejaVu Sans,{2}' background '#ffffff'\n"
         "set lmargin at screen {3:.4f}\nset rmargin at screen {4:.4f}\n"
-        "set tmargin at screen {5:.4f}\nset bmargin at screen {6:.4f}\n{7}",
+        "set tmargin at screen {5:.4f}\nset bmargin at screen {6:.4f}\n"
+        "set border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{7}' font ',{2}'\nset key off\n",
         style.size.x, style.size.y, style.axes, margins.left / style.size.x, 1 - margins.right / style.size.x,
-        1 - margins.top / style.size.y, margins.bottom / style.size.y, commands);
+        1 - margins.top / style.size.y, margins.bottom / style.size.y, gnuplot_text_color);
+    if (style.title > 0) text += fmt::format("set title {} noenhanced font ',{}'\n", gnuplot_text(title), style.title);
+    return text + commands;
 }
 
 std::string decade_tics(double low, double high, double most) {

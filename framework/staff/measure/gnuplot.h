@@ -8,7 +8,7 @@
 
 namespace relief::measure {
 
-constexpr const char* gnuplot_text_color = "#23211d";
+constexpr const char *gnuplot_text_color = "#23211d", *gnuplot_grid_color = "#dcd6ca";
 
 /// Returns the text as a quoted gnuplot string.
 std::string gnuplot_text(const std::string& text);
@@ -26,10 +26,17 @@ struct PlotStyle {
 /// no room.
 struct PlotMargins {
     double left, right, top, bottom;
-};
 
-/// Returns the script for a plot of this size and these margins. `commands` are those that draw it.
-std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& commands);
+    /// Returns the size of the plot without its title, axes and numbers, in a picture of `size`.
+    glm::dvec2 inside(glm::ivec2 size) const { return glm::dvec2(size) - glm::dvec2(left + right, top + bottom); }
+};
+/// Returns margins with room for a title and for the names and numbers of the axes. `letters`: of the longest number at
+/// the left axis; 0: there is none. `right`: pixels.
+PlotMargins plot_margins(const PlotStyle& style, size_t letters, double right);
+
+/// Returns the script for a plot with the look of all plots. `commands` draw it.
+std::string gnuplot_script(const PlotStyle& style, const PlotMargins& margins, const std::string& title,
+                           const std::string& commands);
 
 /// Returns "('0.1' 0.1, '1' 1, '10⁴' 10000)": labels for at most `most` of the powers of ten from `low` to `high`.
 std::string decade_tics(double low, double high, double most);

@@ -20,7 +20,7 @@ namespace relief::measure {
 namespace {
 
 constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#8f887b",
-                     *peer_color = "#23629b", *text_color = gnuplot_text_color, *grid_color = "#dcd6ca";
+                     *peer_color = "#23629b", *text_color = gnuplot_text_color;
 
 /// The plot of one scene, in seconds, milliseconds or nanoseconds.
 class ScenePlot {
@@ -38,12 +38,8 @@ public:
         front_ = front_of(rows, timed_);
         has_errors_ = has_errors(rows, timed_);
         if (!has_errors_) style_.size.y = int(5.5 * style.axes + 2.4 * style.names * double(timed_.size() + 1));
-        const double axes = style.axes,
-                     letters = has_errors_ ? double(longest_decade(span().floor, span().ceiling)) : 0;
-        margins_ = {.left = has_errors_ ? (0.7 * letters + 2.8) * axes : axes,
-                    .right = 1.4 * axes,
-                    .top = style.title > 0 ? 2.8 * style.title : 0.8 * axes,
-                    .bottom = 4.7 * axes};
+        const Span all = span();
+        margins_ = plot_margins(style, has_errors_ ? longest_decade(all.floor, all.ceiling) : 0, 1.4 * style.axes);
     }
 
     std::string script() const {
@@ -52,12 +48,6 @@ public:
         std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
         if (0.62 * style_.title * double(title.size() + style_.note.size()) > style_.size.x) title.clear();
         if (!style_.note.empty()) title += (title.empty() ? "" : ", ") + style_.note;
-        std::string text = fmt::format(
-            "set xtics autofreq font ',{0}'\nset border 3 lc rgb '#8a857b'\n"
-            "set tics nomirror textcolor rgb '{1}'\nset key off\n",
-            style_.axes, text_color);
-        if (style_.title > 0)
-            text += fmt::format("set title {} noenhanced font ',{}'\n", gnuplot_text(title), style_.title);
         const bool any_wide =
             std::any_of(timed_.begin(), timed_.end(), [&](size_t place) { return rows_[place].is_wide(); });
         std::string below = fmt::format("{} per {}", unit_, first.item);
@@ -65,8 +55,8 @@ public:
         constexpr const char* note = "; hollow: p90 over twice p10";  // the page says so, too
         if (any_wide && 0.62 * style_.axes * double(below.size() + std::string_view(note).size()) < plot_size().x)
             below += note;
-        text += fmt::format("set xlabel '{}' noenhanced\n", below);
-        return gnuplot_script(style_, margins_, text + (has_errors_ ? points() : bars()));
+        return gnuplot_script(style_, margins_, title,
+                              fmt::format("set xlabel '{}' noenhanced\n", below) + (has_errors_ ? points() : bars()));
     }
 
 private:
@@ -130,9 +120,9 @@ private:
         std::string text = fmt::format(
             "set ylabel 'mean error, {}' noenhanced\nset logscale xy\n"
             "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '{}'\nset bars 0\n"
-            "set ytics {} font ',{}'\n{}",
-            plural(all.unit), left, right, all.floor, all.ceiling, grid_color,
-            decade_tics(low, all.ceiling, plot_size().y / (1.6 * style_.axes)), style_.axes, time_tics(left, right));
+            "set ytics {}\n{}",
+            plural(all.unit), left, right, all.floor, all.ceiling, gnuplot_grid_color,
+            decade_tics(low, all.ceiling, plot_size().y / (1.6 * style_.axes)), time_tics(left, right));
         if (all.any_zero) text += fmt::format("set ytics add ('0' {})\n", all.floor);
         return text;
     }
@@ -144,10 +134,7 @@ private:
             return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
         }
     };
-    /// Returns the size of the plot without titles, axes and numbers.
-    glm::dvec2 plot_size() const {
-        return glm::dvec2(style_.size) - glm::dvec2(margins_.left + margins_.right, margins_.top + margins_.bottom);
-    }
+    glm::dvec2 plot_size() const { return margins_.inside(style_.size); }
     double width(const std::string& name) const { return 0.66 * style_.names * double(name.size()); }
     double height() const { return 1.3 * style_.names; }
 
@@ -373,7 +360,7 @@ private:
             "$bars << END\n{}END\nunset ytics\nset yrange [0.4:{}]\nset xrange [0:*]\n{}"
             "set grid xtics lc rgb '{}'\nplot ",
             data, double(timed_.size()) + 0.6, end > 0 ? fmt::format("set xtics {}\n", step_of_tics(end)) : "",
-            grid_color);
+            gnuplot_grid_color);
         for (const int kind : {0, 1, 2, 3})
             text += fmt::format(
                 "$bars using ($6=={}?$2/2:1/0):($1-0.3):($2/2):(0.16) with boxxyerror fs {} lc rgb '{}', \\\n  ", kind,

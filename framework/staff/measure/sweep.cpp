@@ -77,37 +77,26 @@ public:
         const BenchRow& first = rows_[places_.front()];
         const double low = any_zero_ ? 10 * floor_ : floor_, high = any_lost_ ? ceiling_ / 10 : ceiling_;
         std::string text = fmt::format(
-            "set grid xtics ytics lc rgb '#dcd6ca'\nset logscale xy\nset key off\n"
-            "set xtics {} font ',{}'\nset ytics {} font ',{}'\n"
-            "set border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
+            "set grid xtics ytics lc rgb '{}'\nset logscale xy\nset xtics {}\nset ytics {}\n"
             "set xlabel {} noenhanced\nset ylabel {} noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-            decade_tics(left_, right_, plot_size().x / (4.8 * style_.axes)), style_.axes,
-            decade_tics(low, high, plot_size().y / (1.6 * style_.axes)), style_.axes, gnuplot_text_color,
-            gnuplot_text(hardness()), gnuplot_text("error, " + plural(first.error.unit)), left_ / 1.3, right_ * 1.3,
-            floor_, ceiling_);
-        if (style_.title > 0)
-            text += fmt::format("set title {} noenhanced font ',{}'\n", gnuplot_text(title(first)), style_.title);
+            gnuplot_grid_color, decade_tics(left_, right_, plot_size().x / (4.8 * style_.axes)),
+            decade_tics(low, high, plot_size().y / (1.6 * style_.axes)), gnuplot_text(hardness()),
+            gnuplot_text("error, " + plural(first.error.unit)), left_ / 1.3, right_ * 1.3, floor_, ceiling_);
         text += names_at_ends();
         if (any_zero_) text += fmt::format("set ytics add ('0' {})\n", floor_);
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
         std::vector<std::string> plots;
         for (const size_t row : places_) curve(row, text, plots);
-        return gnuplot_script(style_, margins(), text + "plot " + join(plots, ", \\\n  ") + "\n");
+        return gnuplot_script(style_, margins(), title(first), text + "plot " + join(plots, ", \\\n  ") + "\n");
     }
 
 private:
     PlotMargins margins() const {
-        const double axes = style_.axes, letters = double(std::max<size_t>(longest_decade(floor_, ceiling_), 4));
-        return {.left = (0.7 * letters + 2.8) * axes,
-                .right = names_width() + 16,
-                .top = style_.title > 0 ? 2.8 * style_.title : 0.8 * axes,
-                .bottom = 4.7 * axes};
+        constexpr size_t none = 4;  // letters of the label of results that are lost
+        return plot_margins(style_, std::max(longest_decade(floor_, ceiling_), none), names_width() + 16);
     }
-    glm::dvec2 plot_size() const {
-        const PlotMargins all = margins();
-        return glm::dvec2(style_.size) - glm::dvec2(all.left + all.right, all.top + all.bottom);
-    }
+    glm::dvec2 plot_size() const { return margins().inside(style_.size); }
 
     /// Returns a title such as "hits angle": the values of the scene's knobs.
     std::string title(const BenchRow& row) const {

@@ -31,12 +31,6 @@ std::string spaced(std::string name) {
     return name;
 }
 
-/// Returns a text that begins with a capital letter.
-std::string sentence(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
-    return text;
-}
-
 /// A column of a table, other than the first two and the pictures.
 struct Column {
     std::string heading;
@@ -97,7 +91,7 @@ public:
         const size_t count = scenes.size();
         return {{"name", topic.name},
                 {"label", spaced(topic.name)},
-                {"help", sentence(topic.help)},
+                {"help", capitalized(topic.help)},
                 {"question", topic.question},
                 {"answer", measure::answer_of(result_.rows, chief)},
                 {"chief_scene", chief.empty() ? "" : measure::knob_text(result_.rows[chief.front()].scene)},

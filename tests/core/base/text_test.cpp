@@ -124,6 +124,13 @@ TEST(Integers, MustFitAndBeWhole) {
         EXPECT_EQ(parse_int(text), std::nullopt) << "'" << text << "'";
 }
 
+TEST(Text, BeginsWithACapitalLetter) {
+    EXPECT_EQ(capitalized("probe x: none"), "Probe x: none");
+    EXPECT_EQ(capitalized("No change"), "No change");
+    EXPECT_EQ(capitalized("\u00e9tage"), "\u00e9tage");
+    EXPECT_EQ(capitalized(""), "");
+}
+
 TEST(Numbers, ArePrintedAsTyped) {
     EXPECT_EQ(plain(0.5), "0.5");
     EXPECT_EQ(plain(32), "32");
